@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "anvil/kernels/kernel.hpp"
+
+namespace anvil {
+
+/// The factor alpha by which the plain difference operator sum_j V_j (f_j - f_i) dW_ij/dx_i misses the slope of a
+/// linear field on a uniform square or cubic lattice, along an axis of the lattice. As it acts once on the stress and
+/// once on the velocity, long waves travel at alpha times their true speed (Sun 2017, section 3).
+///
+/// `dimension` is 1, 2 or 3, `gamma` the smoothing length over the spacing, positive. Pure number; zero where gamma is
+/// so small that no neighbour lies in the support. Throws InputError for other arguments.
+double lattice_wave_speed_factor(const Kernel& kernel, int dimension, double gamma);
+
+}  // namespace anvil

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "anvil/core/inline.hpp"
+#include "anvil/core/tensor.hpp"
+#include "anvil/materials/strength/strength_law.hpp"
+
+namespace anvil {
+
+/// The rotation of one step, R = (I - dt W / 2)^-1 (I + dt W / 2) with the spin W, the antisymmetric part of the
+/// velocity gradient (Hughes and Winget 1980, equation 20). Orthogonal to round-off for any step, by the closed form of
+/// the Cayley transform: with w the axial vector of dt W / 2, R = I + 2 / (1 + w.w) ([w] + [w]^2).
+ANVIL_INLINE Tensor spin_rotation(const Tensor& velocity_gradient, double dt) {
+  const Tensor& grad = velocity_gradient;
+  const double x = 0.25 * dt * (grad(2, 1) - grad(1, 2));
+  const double y = 0.25 * dt * (grad(0, 2) - grad(2, 0));
+  const double z = 0.25 * dt * (grad(1, 0) - grad(0, 1));
+  const double factor = 2.0 / (1.0 + x * x + y * y + z * z);
+  Tensor rotation;
+  rotation(0, 0) = 1.0 - factor * (y * y + z * z);
+  rotation(1, 1) = 1.0 - factor * (x * x + z * z);
+  rotation(2, 2) = 1.0 - factor * (x * x + y * y);
+  rotation(0, 1) = factor * (x * y - z);
+  rotation(1, 0) = factor * (x * y + z);
+  rotation(0, 2) = factor * (x * z + y);
+  rotation(2, 0) = factor * (x * z - y);
+  rotation(1, 2) = factor * (y * z - x);
+  rotation(2, 1) = factor * (y * z + x);
+  return rotation;
+}
+
+/// R t R^T of a symmetric tensor, symmetric to the last bit.
+ANVIL_INLINE Tensor rotate_symmetric(const Tensor& rotation, const Tensor& tensor) {
+  const Tensor half = rotation.lazyProduct(tensor);
+  Tensor rotated;
+  for (int a = 0; a < 3; ++a) {
+    for (int b = a; b < 3; ++b) {
+      rotated(a, b) = half(a, 0) * rotation(b, 0) + half(a, 1) * rotation(b, 1) + half(a, 2) * rotation(b, 2);
+      rotated(b, a) = rotated(a, b);
+    }
+  }
+  return rotated;
+}
+
+/// Adds 2 G dt dev(D), D the symmetric part of the velocity gradient.
+ANVIL_INLINE void add_elastic_increment(Tensor& deviator, const Tensor& velocity_gradient, double shear_modulus,
+                                        double dt) {
+  const Tensor& grad = velocity_gradient;
+  const double twice = 2.0 * shear_modulus * dt;
+  const double mean = (grad(0, 0) + grad(1, 1) + grad(2, 2)) * (1.0 / 3.0);
+  for (int a = 0; a < 3; ++a) deviator(a, a) += twice * (grad(a, a) - mean);
+  for (int a = 0; a < 3; ++a) {
+    for (int b = a + 1; b < 3; ++b) {
+      const double shear = 0.5 * twice * (grad(a, b) + grad(b, a));
+      deviator(a, b) += shear;
+      deviator(b, a) += shear;
+    }
+  }
+}
+
+/// One particle, one step: the Jaumann rate s_dot = 2 G dev(D) + W s - s W in the form s = R s R^T + 2 G dt dev(D),
+/// which equals the rate's sum to second order in dt but does not let stress grow when the material merely turns; the
+/// back stress turns with it. Then the return to the yield surface.
+///
+/// `deviator` in Pa, symmetric and traceless, is updated in place. `velocity_gradient(a, b)` is dv_a/dx_b in 1/s, at
+/// the middle of the step for second order; `dt` in s. Two-dimensional and one-dimensional scenes pass zeros out of
+/// plane.
+template <class Strength>
+ANVIL_INLINE PlasticStep update_deviator(const Strength& strength, Tensor& deviator, StrengthHistory& history,
+                                         const Tensor& velocity_gradient, double dt) {
+  if constexpr (Strength::resists_shear) {
+    const Tensor rotation = spin_rotation(velocity_gradient, dt);
+    deviator = rotate_symmetric(rotation, deviator);
+    if (strength.has_back_stress()) history.back_stress = rotate_symmetric(rotation, history.back_stress);
+    add_elastic_increment(deviator, velocity_gradient, strength.shear_modulus(), dt);
+  }
+  return strength.return_to_yield(deviator, history);
+}
+
+}  // namespace anvil
