@@ -24,11 +24,12 @@ function(anvil_add_simd_levels target)
     if(ARGN)
       add_library(${target}_${level} OBJECT ${ARGN})
       target_compile_definitions(${target}_${level} PRIVATE ANVIL_SIMD_LEVEL=${level})
+      # The levels of x86-64 leave out AES, without which Highway falls back to two lanes whatever the level.
+      target_compile_definitions(${target}_${level} PRIVATE HWY_DISABLE_PCLMUL_AES)
       target_compile_options(${target}_${level} PRIVATE ${ANVIL_SIMD_FLAGS_${level}})
-      # Not linked to the target itself, which would be a circle: only its headers and options.
-      target_include_directories(${target}_${level}
-                                 PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
-      target_link_libraries(${target}_${level} PRIVATE anvil_compile_options anvil_dependencies)
+      # Not linked to the target itself, which would be a circle: only what it includes.
+      target_include_directories(${target}_${level} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
+      target_link_libraries(${target}_${level} PRIVATE ${ANVIL_DEPENDENCIES} anvil_compile_options)
       target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_${level}>)
       add_dependencies(${target}_${level} anvil_version)
       set_target_properties(${target}_${level} PROPERTIES POSITION_INDEPENDENT_CODE ON)

@@ -2,7 +2,7 @@
 # anvil_test(NAME <name> SOURCES <files> LABELS <label> [LIBRARIES <targets>] [TIMEOUT <seconds>])
 # builds one GoogleTest program and registers each of its tests as <name>.<suite>.<test>.
 # Every test program is compiled with ANVIL_SOURCE_DIR (top of the source tree) and ANVIL_PROGRAM (the built program).
-# Label: unit, verification, robustness, render or paraview. TIMEOUT holds for a single test.
+# Label: unit, verification, robustness, render, paraview or benchmark. TIMEOUT holds for a single test.
 
 set(ANVIL_TEST_LABELS unit verification robustness render paraview benchmark)
 set(ANVIL_TEST_TIMEOUT_unit 60)
@@ -36,6 +36,9 @@ function(anvil_test)
                        ANVIL_PROGRAM="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/anvil")
   if(TARGET anvil)
     add_dependencies(${program} anvil)
+  endif()
+  if(TEST_LABELS STREQUAL "unit")
+    add_dependencies(anvil_unit_tests ${program})
   endif()
   # Threads of tests that run side by side must not spin while they wait for each other.
   gtest_discover_tests(
