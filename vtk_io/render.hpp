@@ -24,7 +24,8 @@ struct FieldRange {
 /// What a view shows and how. Every member has a default that makes a good picture of a deformed body.
 struct RenderOptions {
   /// What colours the particles: the name of an array ("pressure"; of a vector its length), one component of one
-  /// ("velocity.z", "stress.xy"), or "von_mises" (from the stress). Empty: plastic_strain, else pressure, else velocity.
+  /// ("velocity.z", "stress.xy"), or "von_mises" (from the stress). Empty: plastic_strain, else pressure, else
+  /// velocity.
   std::string field;
   /// Index of the frame as it stands in the file's name; absent: the last one.
   std::optional<int> frame;
@@ -42,13 +43,13 @@ struct RenderOptions {
   std::string title;
   /// From the bodies to the viewer (3D only); z points up in the picture. Must not be along z.
   std::array<double, 3> view_direction{0.55, -1.0, 0.42};
-  std::array<int, 2> size{1600, 1200};                   // pixels
-  std::array<double, 3> background{1.0, 1.0, 1.0};       // red, green, blue, 0 to 1
+  std::array<int, 2> size{1600, 1200};              // pixels
+  std::array<double, 3> background{1.0, 1.0, 1.0};  // red, green, blue, 0 to 1
 };
 
-/// Draws one frame of `result` (a result folder, a .pvd, a .vtp or a .vtu) off-screen into a PNG file, which appears under
-/// its name only when complete. Throws InputError when the result, the frame or the field does not exist or an option
-/// makes no sense, MissingResourceError without a way to draw (X server, font) or to write.
+/// Draws one frame of `result` (a result folder, a .pvd, a .vtp or a .vtu) off-screen into a PNG file, which appears
+/// under its name only when complete. Throws InputError when the result, the frame or the field does not exist or an
+/// option makes no sense, MissingResourceError without a way to draw (X server, font) or to write.
 void render_result(const std::filesystem::path& result, const RenderOptions& options, const std::filesystem::path& png);
 
 }  // namespace anvil
