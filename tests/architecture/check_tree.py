@@ -24,10 +24,13 @@ SHARED_PATH = "/tmp/.X11-unix"
 FOLDERS_WITH_VTK = ("vtk_io", "tests/unit/vtk_io", "tests/render")
 
 
-def files_of(top):
-    for path in sorted(top.rglob("*")):
-        parts = path.relative_to(top).parts
-        if path.is_file() and not IGNORED_FOLDERS & set(parts) and not parts[0].startswith("build"):
+def files_of(folder):
+    for path in sorted(folder.iterdir()):
+        if path.is_dir():
+            is_build = path.name == "build" or (path / "CMakeCache.txt").exists()
+            if path.name not in IGNORED_FOLDERS and not is_build:
+                yield from files_of(path)
+        elif path.is_file():
             yield path
 
 
