@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace anvil {
+
+/// The names in the folder that holds a result.
+struct ResultFolder {
+  std::filesystem::path path;
+
+  [[nodiscard]] std::filesystem::path history() const { return path / "history.csv"; }
+  [[nodiscard]] std::filesystem::path provenance() const { return path / "run.json"; }
+  [[nodiscard]] std::filesystem::path frames() const { return path / "frames"; }
+  [[nodiscard]] std::filesystem::path checkpoint(std::int64_t step) const;
+  /// The frame with the highest number, whatever its format; throws InputError when there is none.
+  [[nodiscard]] std::filesystem::path last_frame() const;
+};
+
+/// Readies `path` for a new run of the scene of that identifier. A folder that is missing, empty, or holds an earlier
+/// result of the same scene is fine, and so is any other result when `overwrite` is set: what a run leaves behind is
+/// removed from it. Otherwise throws InputError; a folder that is no result is never touched.
+ResultFolder start_result(const std::filesystem::path& path, const std::string& scene_id, bool overwrite);
+
+/// Readies the folder of a checkpoint for going on from it: files of later steps are removed, for the run makes them
+/// again. Throws InputError when the folder does not hold the result the checkpoint belongs to.
+ResultFolder continue_result(const std::filesystem::path& checkpoint, std::int64_t step, int next_frame);
+
+/// Whether a run of that scene may start in the folder: what start_result would refuse, it refuses; nothing is changed.
+void check_result_folder(const std::filesystem::path& path, const std::string& scene_id, bool overwrite);
+
+}  // namespace anvil
