@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "anvil/kernels/kernel.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstddef>
-#include <string>
 #include <utility>
 
 #include "anvil/core/error.hpp"
@@ -31,9 +32,7 @@ Kernel make_kernel(std::string_view name) {
   for (std::size_t i = 0; i < kernel_count; ++i) {
     if (names[i] == name) return make_all(std::make_index_sequence<kernel_count>{})[i];
   }
-  std::string message = "no kernel is named '" + std::string(name) + "'; choose one of:";
-  for (const std::string_view known : names) message += " " + std::string(known);
-  throw InputError(message);
+  throw InputError(fmt::format("no kernel is named '{}'; choose one of: {}", name, fmt::join(names, ", ")));
 }
 
 std::span<const std::string_view> kernel_names() { return names; }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "anvil/materials/material_tables.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
-#include <cstddef>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
 
@@ -24,6 +24,8 @@ struct TableOf<std::variant<Laws...>> {
     return all;
   }
 
+  static std::array<std::string_view, sizeof...(Laws)> names() { return {Laws::kind().type...}; }
+
   template <class... Arguments>
   static std::variant<Laws...> make(std::string_view what, const TypedEntry& entry, Arguments... arguments) {
     std::optional<std::variant<Laws...>> made;
@@ -32,9 +34,7 @@ struct TableOf<std::variant<Laws...>> {
     };
     (make_if_named(std::in_place_type<Laws>), ...);
     if (made) return *made;
-    std::string message = "no " + std::string(what) + " is named '" + entry.type + "'; choose one of:";
-    for (const EntryKind& kind : kinds()) message += " " + std::string(kind.type);
-    throw InputError(message);
+    throw InputError(fmt::format("no {} is named '{}'; choose one of: {}", what, entry.type, fmt::join(names(), ", ")));
   }
 };
 

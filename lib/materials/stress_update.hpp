@@ -42,20 +42,19 @@ ANVIL_INLINE Tensor rotate_symmetric(const Tensor& rotation, const Tensor& tenso
   return rotated;
 }
 
-/// Adds 2 G dt dev(D), D the symmetric part of the velocity gradient.
-ANVIL_INLINE void add_elastic_increment(Tensor& deviator, const Tensor& velocity_gradient, double shear_modulus,
-                                        double dt) {
+/// dt dev(D), D the symmetric part of the velocity gradient.
+ANVIL_INLINE Tensor deviatoric_strain_increment(const Tensor& velocity_gradient, double dt) {
   const Tensor& grad = velocity_gradient;
-  const double twice = 2.0 * shear_modulus * dt;
   const double mean = (grad(0, 0) + grad(1, 1) + grad(2, 2)) * (1.0 / 3.0);
-  for (int a = 0; a < 3; ++a) deviator(a, a) += twice * (grad(a, a) - mean);
+  Tensor increment;
   for (int a = 0; a < 3; ++a) {
+    increment(a, a) = dt * (grad(a, a) - mean);
     for (int b = a + 1; b < 3; ++b) {
-      const double shear = 0.5 * twice * (grad(a, b) + grad(b, a));
-      deviator(a, b) += shear;
-      deviator(b, a) += shear;
+      increment(a, b) = 0.5 * dt * (grad(a, b) + grad(b, a));
+      increment(b, a) = increment(a, b);
     }
   }
+  return increment;
 }
 
 /// One particle, one step: the Jaumann rate s_dot = 2 G dev(D) + W s - s W in the form s = R s R^T + 2 G dt dev(D),
@@ -70,9 +69,9 @@ ANVIL_INLINE PlasticStep update_deviator(const Strength& strength, Tensor& devia
                                          const Tensor& velocity_gradient, double dt) {
   if constexpr (Strength::resists_shear) {
     const Tensor rotation = spin_rotation(velocity_gradient, dt);
-    deviator = rotate_symmetric(rotation, deviator);
+    const Tensor half_increment = strength.shear_modulus() * deviatoric_strain_increment(velocity_gradient, dt);
+    deviator = rotate_symmetric(rotation, deviator + half_increment) + half_increment;
     if (strength.has_back_stress()) history.back_stress = rotate_symmetric(rotation, history.back_stress);
-    add_elastic_increment(deviator, velocity_gradient, strength.shear_modulus(), dt);
   }
   return strength.return_to_yield(deviator, history);
 }

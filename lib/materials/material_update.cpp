@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "anvil/materials/material_update.hpp"
+
+#include "anvil/core/field_keys.hpp"
+#include "anvil/materials/strain_state.hpp"
+#include "anvil/materials/stress_update.hpp"
+
+namespace anvil {
+namespace {
+
+template <int D, class Law>
+class StrengthAtWork final : public StrengthUpdate<D> {
+  using State = typename StrainStateOf<D>::Type;
+  static constexpr std::size_t components = State::components;
+
+ public:
+  StrengthAtWork(const Law& law, FieldStore& fields) : law_(law) {
+    fields.require(field::mass);
+    fields.require(field::density);
+    mass_ = fields.scalar(field::mass);
+    density_ = fields.scalar(field::density);
+    if constexpr (Law::resists_shear) {
+      fields.require(field::deviatoric_stress, State::components);
+      deviator_ = fields.vector<State::components>(field::deviatoric_stress).raw();
+    }
+    if constexpr (Law::has_plastic_strain) {
+      fields.require(field::plastic_strain);
+      plastic_strain_ = fields.scalar(field::plastic_strain).data();
+    }
+    if (law.has_back_stress()) {
+      fields.require(field::back_stress, State::components);
+      back_stress_ = fields.vector<State::components>(field::back_stress).raw();
+    }
+  }
+
+  double update(ParticleRange range, const double* velocity_gradient, double time_step) const override {
+    double work = 0.0;
+    if constexpr (Law::resists_shear) {
+      for (auto i = static_cast<std::size_t>(range.begin); i < static_cast<std::size_t>(range.end); ++i) {
+        StrengthHistory history;
+        if constexpr (Law::has_plastic_strain) history.plastic_strain = plastic_strain_[i];
+        if (back_stress_ != nullptr) history.back_stress = State::deviator(back_stress_ + components * i);
+        Tensor deviator = State::deviator(deviator_ + components * i);
+        const Tensor gradient = lift_gradient<D>(velocity_gradient);
+        velocity_gradient += D * D;
+        const PlasticStep step = update_deviator(law_, deviator, history, gradient, time_step);
+        State::store(deviator, deviator_ + components * i);
+        if constexpr (Law::has_plastic_strain) plastic_strain_[i] = history.plastic_strain;
+        if (back_stress_ != nullptr) State::store(history.back_stress, back_stress_ + components * i);
+        work += step.plastic_work * mass_[i] / density_[i];
+      }
+    }
+    return work;
+  }
+
+  [[nodiscard]] double shear_modulus() const override { return law_.shear_modulus(); }
+
+  [[nodiscard]] double elastic_energy(ParticleRange range) const override {
+    double energy = 0.0;
+    if constexpr (Law::resists_shear) {
+      for (auto i = static_cast<std::size_t>(range.begin); i < static_cast<std::size_t>(range.end); ++i)
+        energy += State::deviator(deviator_ + components * i).squaredNorm() / (4.0 * law_.shear_modulus()) * mass_[i] /
+                  density_[i];
+    }
+    return energy;
+  }
+
+ private:
+  Law law_;
+  std::span<const double> mass_, density_;
+  double* deviator_ = nullptr;
+  double* plastic_strain_ = nullptr;
+  double* back_stress_ = nullptr;
+};
+
+template <int D, class Law>
+class EosAtWork final : public EosUpdate<D> {
+ public:
+  EosAtWork(const Law& law, FieldStore& fields)
+      : law_(law),
+        mass_((fields.require(field::mass), fields.scalar(field::mass))),
+        density_((fields.require(field::density), fields.scalar(field::density))),
+        pressure_((fields.require(field::pressure), fields.scalar(field::pressure))) {
+    static_assert(!Law::uses_energy, "an equation of state that reads energy needs the energy equation");
+  }
+
+  void update(ParticleRange range, double* bulk_sound_speed_squared) const override {
+    for (auto i = static_cast<std::size_t>(range.begin); i < static_cast<std::size_t>(range.end); ++i) {
+      pressure_[i] = law_.pressure(density_[i], 0.0);
+      *bulk_sound_speed_squared++ = law_.bulk_sound_speed_squared(density_[i], 0.0);
+    }
+  }
+
+  [[nodiscard]] double elastic_energy(ParticleRange range) const override {
+    double energy = 0.0;
+    for (auto i = static_cast<std::size_t>(range.begin); i < static_cast<std::size_t>(range.end); ++i)
+      energy += mass_[i] * law_.cold_energy(density_[i]);
+    return energy;
+  }
+
+ private:
+  Law law_;
+  std::span<const double> mass_, density_;
+  std::span<double> pressure_;
+};
+
+}  // namespace
+
+template <int D>
+std::unique_ptr<StrengthUpdate<D>> make_strength_update(const Strength& law, FieldStore& fields) {
+  return std::visit(
+      [&]<class Law>(const Law& chosen) -> std::unique_ptr<StrengthUpdate<D>> {
+        return std::make_unique<StrengthAtWork<D, Law>>(chosen, fields);
+      },
+      law);
+}
+
+template <int D>
+std::unique_ptr<EosUpdate<D>> make_eos_update(const Eos& law, FieldStore& fields) {
+  return std::visit(
+      [&]<class Law>(const Law& chosen) -> std::unique_ptr<EosUpdate<D>> {
+        return std::make_unique<EosAtWork<D, Law>>(chosen, fields);
+      },
+      law);
+}
+
+template std::unique_ptr<StrengthUpdate<1>> make_strength_update<1>(const Strength&, FieldStore&);
+template std::unique_ptr<StrengthUpdate<2>> make_strength_update<2>(const Strength&, FieldStore&);
+template std::unique_ptr<StrengthUpdate<3>> make_strength_update<3>(const Strength&, FieldStore&);
+template std::unique_ptr<EosUpdate<1>> make_eos_update<1>(const Eos&, FieldStore&);
+template std::unique_ptr<EosUpdate<2>> make_eos_update<2>(const Eos&, FieldStore&);
+template std::unique_ptr<EosUpdate<3>> make_eos_update<3>(const Eos&, FieldStore&);
+
+}  // namespace anvil

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "anvil/core/fields.hpp"
+#include "anvil/materials/material_tables.hpp"
+#include "anvil/terms/force_term.hpp"
+
+namespace anvil {
+
+/// The strength law of one body at work: one virtual call per range of particles, the law inlined below it.
+template <int D>
+class StrengthUpdate {
+ public:
+  StrengthUpdate() = default;
+  StrengthUpdate(const StrengthUpdate&) = delete;
+  StrengthUpdate& operator=(const StrengthUpdate&) = delete;
+  virtual ~StrengthUpdate() = default;
+
+  /// Brings the deviators of the range to the end of a step of time_step (s) under the velocity gradients (D x D per
+  /// particle of the range, 1/s). Returns the plastic work done in the range, J.
+  virtual double update(ParticleRange range, const double* velocity_gradient, double time_step) const = 0;
+  [[nodiscard]] virtual double shear_modulus() const = 0;  // Pa
+  /// Energy stored by shear in the range, J.
+  [[nodiscard]] virtual double elastic_energy(ParticleRange range) const = 0;
+};
+
+/// The equation of state of one body at work.
+template <int D>
+class EosUpdate {
+ public:
+  EosUpdate() = default;
+  EosUpdate(const EosUpdate&) = delete;
+  EosUpdate& operator=(const EosUpdate&) = delete;
+  virtual ~EosUpdate() = default;
+
+  /// Sets the pressures of the range from its densities and writes the squared speed of sound without shear, m2/s2, per
+  /// particle of the range.
+  virtual void update(ParticleRange range, double* bulk_sound_speed_squared) const = 0;
+  /// Energy stored by compression in the range, J.
+  [[nodiscard]] virtual double elastic_energy(ParticleRange range) const = 0;
+};
+
+/// Require the fields the law needs, nothing else.
+template <int D>
+std::unique_ptr<StrengthUpdate<D>> make_strength_update(const Strength& law, FieldStore& fields);
+template <int D>
+std::unique_ptr<EosUpdate<D>> make_eos_update(const Eos& law, FieldStore& fields);
+
+}  // namespace anvil
