@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "anvil/scene/check.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "anvil/core/error.hpp"
+#include "anvil/scene/overlap.hpp"
+#include "anvil/scene/placement.hpp"
+#include "anvil/scene/problems.hpp"
+#include "anvil/scene/shape.hpp"
+
+namespace anvil {
+namespace {
+
+using Contradictions = std::vector<Contradiction>;
+
+void check_strain_state(const Domain& domain, Contradictions& found) {
+  const std::vector<std::vector<std::string>> possible = {
+      {"uniaxial_strain", "uniaxial_stress"}, {"plane_strain"}, {"full"}};
+  const auto& states = possible.at(static_cast<std::size_t>(domain.dimension - 1));
+  if (std::find(states.begin(), states.end(), domain.strain_state) != states.end()) return;
+  found.push_back({"domain.strain_state",
+                   fmt::format("{} does not exist in {} dimension{}; it can be {} there", domain.strain_state,
+                               domain.dimension, domain.dimension == 1 ? "" : "s", fmt::join(states, " or "))});
+}
+
+void check_times(const Scene& scene, Contradictions& found) {
+  constexpr double most_frames = 1e6;  // the numbers of frame files have six digits
+  const double end = scene.time.end;
+  if (end > 0.0 && !(end / scene.output.interval < most_frames))
+    found.push_back(
+        {"output.interval", fmt::format("{} s would write {:.3g} frames until {} s, and at most {:.3g} are possible",
+                                        scene.output.interval, end / scene.output.interval, end, most_frames)});
+}
+
+/// The spacing nearest to `spacing` that divides `side` into whole cells.
+double fitting_spacing(double side, double spacing) {
+  const double below = std::max(1.0, std::floor(side / spacing));
+  const double coarse = side / below;
+  const double fine = side / (below + 1.0);
+  return std::abs(coarse - spacing) <= std::abs(fine - spacing) ? coarse : fine;
+}
+
+template <int D>
+void check_fit(const BodyDescription& body, const Shape<D>& shape, double spacing, Contradictions& found) {
+  constexpr double tolerance = 1e-6;  // of a spacing: far above the rounding of decimal lengths, far below an effect
+  const Vec<D> size = shape.size();
+  for (int axis = 0; axis < D; ++axis) {
+    const double cells = size[axis] / spacing;
+    if (!shape.ends_in_planes(axis) || (cells > 0.5 && std::abs(cells - std::round(cells)) <= tolerance)) continue;
+    found.push_back(
+        {fmt::format("body.{}.shape", body.name),
+         fmt::format("its length of {:.9g} m along {} is {:.6g} spacings of {:.9g} m, which is not a whole number; "
+                     "the nearest discretisation.spacing that fits is {:.9g} m",
+                     size[axis], "xyz"[axis], cells, spacing, fitting_spacing(size[axis], spacing))});
+    return;  // one side at a time: a spacing that suits it may suit the others
+  }
+}
+
+template <int D>
+Vec<D> component_vector(const std::vector<double>& numbers) {
+  return Vec<D>(numbers.data());
+}
+
+/// Walls are solid behind their plane: a body may touch it, not start beyond it.
+template <int D>
+void check_walls(const Scene& scene, const BodyDescription& body, const Shape<D>& shape, Contradictions& found) {
+  for (const auto& boundary : scene.boundaries) {
+    if (boundary.entry.type != "rigid_wall") continue;
+    const Vec<D> normal = component_vector<D>(boundary.entry.parameters.numbers("normal"));
+    if (normal.norm() == 0.0) continue;
+    const Vec<D> inward = normal.normalized();
+    const Vec<D> point = component_vector<D>(boundary.entry.parameters.numbers("point"));
+    const double depth = shape.reach(-inward) - inward.dot(shape.centre() - point);
+    const double tolerance = 1e-6 * scene.discretisation.spacing;  // as for the fit of the sides
+    if (depth > tolerance)
+      found.push_back(
+          {fmt::format("body.{}.shape", body.name),
+           fmt::format("the body starts {:.6g} m behind the wall '{}', whose normal points to where bodies are", depth,
+                       boundary.name)});
+  }
+}
+
+void check_normals(const Scene& scene, Contradictions& found) {
+  for (const auto& boundary : scene.boundaries) {
+    if (!boundary.entry.parameters.has("normal")) continue;
+    const auto& normal = boundary.entry.parameters.numbers("normal");
+    if (std::all_of(normal.begin(), normal.end(), [](double component) { return component == 0.0; }))
+      found.push_back({fmt::format("boundary.{}.normal", boundary.name),
+                       "it must not be zero: it points from the wall to the bodies"});
+  }
+}
+
+/// Shapes and walls of each body by itself, and the size of the whole.
+template <int D>
+void check_each_body(const Scene& scene, Contradictions& found) {
+  const double spacing = scene.discretisation.spacing;
+  double cells = 0.0;
+  for (const auto& body : scene.bodies) {
+    try {
+      const auto shape = make_shape<D>(body.shape);
+      double cells_of_body = 1.0;
+      for (const long long along_axis : count_cells<D>(*shape, spacing))
+        cells_of_body *= static_cast<double>(along_axis);
+      cells += cells_of_body;
+      check_fit<D>(body, *shape, spacing, found);
+      check_walls<D>(scene, body, *shape, found);
+    } catch (const InputError& error) {
+      found.push_back({fmt::format("body.{}.shape", body.name), error.what()});
+    }
+  }
+  if (cells > most_particles)
+    found.push_back(
+        {"discretisation.spacing", fmt::format("{} m gives {:.3g} particles in all, and at most {:.3g} are possible",
+                                               spacing, cells, most_particles)});
+}
+
+/// What needs the particles themselves, or more than one body.
+template <int D>
+void check_particles(const Scene& scene, Contradictions& found) {
+  const double spacing = scene.discretisation.spacing;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const auto& body = scene.bodies[i];
+    try {
+      for (std::size_t j = 0; j < i; ++j)
+        if (bodies_overlap<D>(scene.bodies[j], body, spacing))
+          found.push_back({fmt::format("body.{}.shape", body.name),
+                           fmt::format("the body overlaps the body '{}'", scene.bodies[j].name)});
+      const auto shape = make_shape<D>(body.shape);
+      if (!shape->contains(Vec<D>::Zero())) place_body<D>(body, spacing);  // the only shapes that may catch no particle
+    } catch (const InputError& error) {
+      found.push_back({fmt::format("body.{}.shape", body.name), error.what()});
+    }
+  }
+}
+
+template <int D>
+void check_bodies(const Scene& scene, Contradictions& found) {
+  const std::size_t before = found.size();
+  check_each_body<D>(scene, found);
+  if (found.size() == before) check_particles<D>(scene, found);
+}
+
+}  // namespace
+
+std::vector<Contradiction> find_contradictions(const Scene& scene) {
+  Contradictions found;
+  check_strain_state(scene.domain, found);
+  check_times(scene, found);
+  check_normals(scene, found);
+  if (scene.domain.dimension == 1) check_bodies<1>(scene, found);
+  if (scene.domain.dimension == 2) check_bodies<2>(scene, found);
+  if (scene.domain.dimension == 3) check_bodies<3>(scene, found);
+  return found;
+}
+
+void check_scene(const Scene& scene) {
+  Problems problems;
+  for (const auto& [key, sentence] : find_contradictions(scene))
+    problems.add({fmt::format("scene '{}'", scene.name)}, fmt::format("key '{}': {}", key, sentence));
+  problems.throw_if_any();
+}
+
+}  // namespace anvil

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "anvil/core/error.hpp"
+#include "anvil/core/tensor.hpp"
+
+namespace anvil {
+
+using Points = std::vector<std::vector<double>>;
+
+using Texts = std::vector<std::string>;
+using NamedNumbers = std::map<std::string, double>;
+
+/// One value of a scene file, after reading: what TOML can hold and Anvil understands.
+using Value = std::variant<double, long long, bool, std::string, std::vector<double>, Points, Texts, NamedNumbers>;
+
+/// The validated keys of one typed entry (a shape, a law, a boundary), by name. Every key of the entry's table is
+/// present: given by the user or by its default. Keys that are optional and absent are not in the map.
+class Parameters {
+ public:
+  void set(const std::string& key, Value value) { values_[key] = std::move(value); }
+  [[nodiscard]] bool has(const std::string& key) const { return values_.count(key) != 0; }
+  [[nodiscard]] double number(const std::string& key) const { return get<double>(key); }
+  [[nodiscard]] long long integer(const std::string& key) const { return get<long long>(key); }
+  [[nodiscard]] bool flag(const std::string& key) const { return get<bool>(key); }
+  [[nodiscard]] const std::string& text(const std::string& key) const { return get<std::string>(key); }
+  [[nodiscard]] const std::vector<double>& numbers(const std::string& key) const {
+    return get<std::vector<double>>(key);
+  }
+  [[nodiscard]] const Points& points(const std::string& key) const { return get<Points>(key); }
+  [[nodiscard]] const std::map<std::string, Value>& all() const { return values_; }
+  bool operator==(const Parameters&) const = default;
+
+ private:
+  template <class T>
+  const T& get(const std::string& key) const {
+    const auto found = values_.find(key);
+    if (found == values_.end()) throw InputError("parameter '" + key + "' is missing");
+    return std::get<T>(found->second);
+  }
+  std::map<std::string, Value> values_;
+};
+
+/// An entry that names its kind by `type`: a shape, an equation of state, a strength law, a boundary.
+struct TypedEntry {
+  std::string type;
+  Parameters parameters;
+  bool operator==(const TypedEntry&) const = default;
+};
+
+struct Domain {
+  int dimension;
+  std::string strain_state;
+  bool operator==(const Domain&) const = default;
+};
+
+struct Discretisation {
+  std::string method;
+  std::string kernel;
+  double spacing;          // m
+  double smoothing_ratio;  // h / spacing
+  std::string momentum_form;
+  bool variable_smoothing_length;
+  bool operator==(const Discretisation&) const = default;
+};
+
+struct Shock {
+  std::string method;
+  double linear_coefficient;     // alpha of Monaghan and Gingold
+  double quadratic_coefficient;  // beta
+  bool operator==(const Shock&) const = default;
+};
+
+struct Stabiliser {
+  double conservative_smoothing;  // alpha_cs, 0 switches it off
+  std::string smoothing_form;
+  bool operator==(const Stabiliser&) const = default;
+};
+
+struct TimeControl {
+  double end;  // s
+  double cfl;
+  double minimum_step_fraction;  // of the first step: below it the run stops as collapsed
+  bool operator==(const TimeControl&) const = default;
+};
+
+struct BodyDescription {
+  std::string name;
+  TypedEntry shape;
+  std::string lattice;
+  std::string material;
+  std::vector<double> velocity;  // m/s, `dimension` components
+  bool operator==(const BodyDescription&) const = default;
+};
+
+struct MaterialDescription {
+  std::string name;
+  double density;  // kg/m3, of the unloaded material
+  TypedEntry eos;
+  TypedEntry strength;
+  bool operator==(const MaterialDescription&) const = default;
+};
+
+struct BoundaryDescription {
+  std::string name;
+  TypedEntry entry;
+  bool operator==(const BoundaryDescription&) const = default;
+};
+
+struct OutputControl {
+  double interval;  // s, between frames
+  std::string format;
+  std::string precision;
+  std::string compression;
+  Texts fields;                // optional fields to add to the default ones
+  double checkpoint_interval;  // s of simulated time, 0: one checkpoint at the end
+  bool operator==(const OutputControl&) const = default;
+};
+
+/// How `anvil compare` judges a result: a file of reference quantities and the largest deviation allowed for some.
+struct Comparison {
+  std::string reference;   // name of a file in data/reference, empty: none
+  NamedNumbers tolerance;  // relative, by quantity
+  bool operator==(const Comparison&) const = default;
+};
+
+/// A whole scene in SI units, every default filled in.
+struct Scene {
+  std::string name;  // stem of the file
+  std::string title;
+  Domain domain;
+  Discretisation discretisation;
+  Shock shock;
+  Stabiliser stabiliser;
+  TimeControl time;
+  std::vector<BodyDescription> bodies;
+  std::vector<MaterialDescription> materials;  // those in use, each once
+  std::vector<BoundaryDescription> boundaries;
+  OutputControl output;
+  Comparison compare;
+  bool operator==(const Scene&) const = default;
+};
+
+}  // namespace anvil

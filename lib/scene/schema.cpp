@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "anvil/scene/schema.hpp"
+
+#include <fmt/format.h>
+
+#include "anvil/boundaries/boundary_tables.hpp"
+#include "anvil/kernels/kernel.hpp"
+#include "anvil/materials/material_tables.hpp"
+#include "anvil/scene/shape.hpp"
+
+namespace anvil {
+namespace {
+
+using Names = std::vector<std::string_view>;
+
+Section<Scene> scene_section() {
+  return {"",
+          Occurrence::top_level,
+          "What stands at the top of the file, before the first section.",
+          {
+              {{.name = "title", .kind = ValueKind::text, .standard = "", .help = "one line for figures and lists"},
+               &Scene::title},
+          }};
+}
+
+Section<Domain> domain_section() {
+  return {
+      "domain",
+      Occurrence::once,
+      "The space the scene lives in.",
+      {
+          {{.name = "dimension",
+            .kind = ValueKind::integer,
+            .help = "number of space dimensions of the particles",
+            .choices = {"1", "2", "3"}},
+           &Domain::dimension},
+          {{.name = "strain_state",
+            .kind = ValueKind::choice,
+            .help = "what the directions without particles do: no strain (uniaxial_strain in 1D, plane_strain in 2D) "
+                    "or no stress (uniaxial_stress in 1D); full in 3D",
+            .choices = {"uniaxial_strain", "uniaxial_stress", "plane_strain", "full"},
+            .optional = true,
+            .derived = "uniaxial_strain in 1D, plane_strain in 2D, full in 3D"},
+           &Domain::strain_state},
+      }};
+}
+
+Section<Discretisation> discretisation_section() {
+  const auto kernels = kernel_names();
+  return {"discretisation",
+          Occurrence::once,
+          "How the bodies become particles and the derivatives become sums.",
+          {
+              {{.name = "method",
+                .kind = ValueKind::choice,
+                .standard = "sph",
+                .help = "approximation of derivatives: sph is the plain one",
+                .choices = {"sph"}},
+               &Discretisation::method},
+              {{.name = "kernel",
+                .kind = ValueKind::choice,
+                .standard = "cubic_spline",
+                .help = "smoothing kernel",
+                .choices = Names(kernels.begin(), kernels.end())},
+               &Discretisation::kernel},
+              {{.name = "spacing",
+                .unit = "m",
+                .range = Range::positive,
+                .help = "distance of neighbouring particles at the start"},
+               &Discretisation::spacing},
+              {{.name = "smoothing_ratio",
+                .standard = 1.0,
+                .range = Range::positive,
+                .help = "smoothing length over spacing at the start"},
+               &Discretisation::smoothing_ratio},
+              {{.name = "momentum_form",
+                .kind = ValueKind::choice,
+                .standard = "sum",
+                .help = "pair force: sum takes V_i V_j (sigma_i + sigma_j), density_squared takes m_i m_j "
+                        "(sigma_i/rho_i^2 + sigma_j/rho_j^2); both conserve momentum",
+                .choices = {"sum", "density_squared"}},
+               &Discretisation::momentum_form},
+              {{.name = "variable_smoothing_length",
+                .kind = ValueKind::flag,
+                .standard = true,
+                .help = "whether the smoothing length grows and shrinks with the particle's volume"},
+               &Discretisation::variable_smoothing_length},
+          }};
+}
+
+Section<Shock> shock_section() {
+  return {"shock",
+          Occurrence::once,
+          "What spreads a shock over a few particles.",
+          {
+              {{.name = "method",
+                .kind = ValueKind::choice,
+                .standard = "none",
+                .help = "artificial_viscosity is that of Monaghan and Gingold (1983)",
+                .choices = {"none", "artificial_viscosity"}},
+               &Shock::method},
+              {{.name = "linear_coefficient",
+                .standard = 1.0,
+                .range = Range::not_negative,
+                .help = "alpha of the artificial viscosity, times the sound speed"},
+               &Shock::linear_coefficient},
+              {{.name = "quadratic_coefficient",
+                .standard = 1.0,
+                .range = Range::not_negative,
+                .help = "beta of the artificial viscosity, against strong shocks"},
+               &Shock::quadratic_coefficient},
+          }};
+}
+
+Section<Stabiliser> stabiliser_section() {
+  return {
+      "stabiliser",
+      Occurrence::once,
+      "What keeps particles from numerical fracture.",
+      {
+          {{.name = "conservative_smoothing",
+            .standard = 0.0,
+            .range = Range::half_fraction,
+            .help = "part of the velocity replaced by the neighbours' mean after each step; 0 switches it off"},
+           &Stabiliser::conservative_smoothing},
+          {{.name = "smoothing_form",
+            .kind = ValueKind::choice,
+            .standard = "plain",
+            .help =
+                "plain takes the normalised mean (Long 2007), pairwise conserves momentum, scaled makes the strength "
+                "independent of the time step",
+            .choices = {"plain", "pairwise", "scaled"}},
+           &Stabiliser::smoothing_form},
+      }};
+}
+
+Section<TimeControl> time_section() {
+  return {
+      "time",
+      Occurrence::once,
+      "How long the run lasts and how it steps.",
+      {
+          {{.name = "end", .unit = "s", .range = Range::not_negative, .help = "simulated time at which the run stops"},
+           &TimeControl::end},
+          {{.name = "cfl",
+            .standard = 0.3,
+            .range = Range::positive,
+            .help = "time step over the time a sound wave takes to cross a smoothing length"},
+           &TimeControl::cfl},
+          {{.name = "minimum_step_fraction",
+            .standard = 1e-4,
+            .range = Range::fraction,
+            .help = "the run stops as collapsed when a step falls below this part of the first one"},
+           &TimeControl::minimum_step_fraction},
+      }};
+}
+
+Section<BodyDescription> body_section() {
+  return {
+      "body",
+      Occurrence::list,
+      "A piece of one material; its particles start at its velocity, free of stress.",
+      {
+          {{.name = "name", .kind = ValueKind::name, .help = "name of the body, once in the scene"},
+           &BodyDescription::name},
+          {{.name = "shape", .kind = ValueKind::entry, .help = "the space the body fills", .entries = shape_kinds},
+           &BodyDescription::shape},
+          {{.name = "lattice",
+            .kind = ValueKind::choice,
+            .standard = "cubic",
+            .help =
+                "arrangement of the particles: cubic (a square one in 2D, a line in 1D) fills the shape with cells, "
+                "so the outermost particles lie half a spacing inside its faces",
+            .choices = {"cubic"}},
+           &BodyDescription::lattice},
+          {{.name = "material",
+            .kind = ValueKind::name,
+            .help = "name of a [material.NAME] of the scene or of a bundled material"},
+           &BodyDescription::material},
+          {{.name = "velocity",
+            .kind = ValueKind::vector,
+            .unit = "m/s",
+            .standard = std::vector<double>{0.0},
+            .help = "velocity at the start"},
+           &BodyDescription::velocity},
+      }};
+}
+
+Section<MaterialDescription> material_section() {
+  return {
+      "material",
+      Occurrence::by_name,
+      "A material: how it answers compression (eos) and shear (strength).",
+      {
+          {{.name = "density", .unit = "kg/m3", .range = Range::positive, .help = "density of the unloaded material"},
+           &MaterialDescription::density},
+          {{.name = "eos", .kind = ValueKind::entry, .help = "equation of state", .entries = eos_kinds},
+           &MaterialDescription::eos},
+          {{.name = "strength",
+            .kind = ValueKind::entry,
+            .standard = "none",
+            .help = "law of the stress deviator",
+            .entries = strength_kinds},
+           &MaterialDescription::strength},
+      }};
+}
+
+Section<BoundaryDescription> boundary_section() {
+  return {"boundary",
+          Occurrence::list,
+          "Something the bodies meet.",
+          {
+              {{.name = "name", .kind = ValueKind::name, .help = "name of the boundary, once in the scene"},
+               &BoundaryDescription::name},
+              {{.name = "type",
+                .kind = ValueKind::entry,
+                .help = "kind of boundary, whose own keys stand beside it",
+                .entries = boundary_kinds},
+               &BoundaryDescription::entry},
+          }};
+}
+
+Section<OutputControl> output_section() {
+  return {"output",
+          Occurrence::once,
+          "What a run writes, and when.",
+          {
+              {{.name = "interval",
+                .unit = "s",
+                .range = Range::positive,
+                .help = "simulated time between frames",
+                .optional = true,
+                .derived = "a twentieth of time.end"},
+               &OutputControl::interval},
+              {{.name = "format",
+                .kind = ValueKind::choice,
+                .standard = "vtp",
+                .help = "file format of the frames",
+                .choices = {"vtp", "vtu", "hdf5"}},
+               &OutputControl::format},
+              {{.name = "precision",
+                .kind = ValueKind::choice,
+                .standard = "float32",
+                .help = "precision of the arrays of a frame; positions are always double",
+                .choices = {"float32", "float64"}},
+               &OutputControl::precision},
+              {{.name = "compression",
+                .kind = ValueKind::choice,
+                .standard = "lz4",
+                .help = "compression of the frames",
+                .choices = {"lz4", "none", "zlib"}},
+               &OutputControl::compression},
+              {{.name = "fields",
+                .kind = ValueKind::choices,
+                .standard = Texts{},
+                .help = "fields written beside the usual ones",
+                .choices = {"deviatoric_stress"}},
+               &OutputControl::fields},
+              {{.name = "checkpoint_interval",
+                .unit = "s",
+                .standard = 0.0,
+                .range = Range::not_negative,
+                .help = "simulated time between checkpoints; 0 writes one at the end"},
+               &OutputControl::checkpoint_interval},
+          }};
+}
+
+Section<Comparison> compare_section() {
+  return {"compare",
+          Occurrence::once,
+          "What the result is judged by.",
+          {
+              {{.name = "reference",
+                .kind = ValueKind::text,
+                .standard = "",
+                .help = "name of a bundled reference; without it nothing is compared"},
+               &Comparison::reference},
+              {{.name = "tolerance",
+                .kind = ValueKind::named_numbers,
+                .standard = NamedNumbers{},
+                .range = Range::positive,
+                .help = "largest relative deviation allowed, by the name of a quantity of the reference"},
+               &Comparison::tolerance},
+          }};
+}
+
+}  // namespace
+
+const Schema& schema() {
+  static const Schema all{scene_section(),      domain_section(), discretisation_section(), shock_section(),
+                          stabiliser_section(), time_section(),   body_section(),           material_section(),
+                          boundary_section(),   output_section(), compare_section()};
+  return all;
+}
+
+std::vector<SectionKeys> scene_sections() {
+  std::vector<SectionKeys> sections;
+  const Scene none{};
+  for_each_section(none, [&](const auto& section, const auto&) {
+    sections.push_back({section.name, section.occurrence, section.help, {}});
+    for (const auto& row : section.rows) sections.back().keys.push_back(&row.key);
+  });
+  return sections;
+}
+
+std::string section_heading(std::string_view name, Occurrence occurrence) {
+  switch (occurrence) {
+    case Occurrence::once:
+      return fmt::format("[{}]", name);
+    case Occurrence::list:
+      return fmt::format("[[{}]]", name);
+    case Occurrence::by_name:
+      return fmt::format("[{}.NAME]", name);
+    case Occurrence::top_level:
+      break;
+  }
+  return "";
+}
+
+}  // namespace anvil

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "anvil/scene/shape.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "anvil/core/error.hpp"
+
+namespace anvil {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+template <int D>
+Vec<D> to_vector(const std::vector<double>& numbers) {
+  if (numbers.size() != static_cast<std::size_t>(D))
+    throw InputError("a shape in " + std::to_string(D) + " dimensions was given a vector of " +
+                     std::to_string(numbers.size()));
+  return Vec<D>(numbers.data());
+}
+
+/// A box along the axes; in one dimension an interval.
+template <int D>
+class Box final : public Shape<D> {
+ public:
+  Box(const Vec<D>& lower, const Vec<D>& upper) : centre_(0.5 * (lower + upper)), size_(upper - lower) {
+    if (!(size_.minCoeff() > 0.0)) throw InputError("every component of max must be larger than that of min");
+  }
+  [[nodiscard]] Vec<D> centre() const override { return centre_; }
+  [[nodiscard]] Vec<D> size() const override { return size_; }
+  [[nodiscard]] bool ends_in_planes(int) const override { return true; }
+  [[nodiscard]] bool contains(const Vec<D>& offset) const override {
+    return (offset.array().abs() <= 0.5 * size_.array()).all();
+  }
+  [[nodiscard]] double volume() const override { return size_.prod(); }
+  [[nodiscard]] double reach(const Vec<D>& direction) const override { return 0.5 * direction.cwiseAbs().dot(size_); }
+
+ private:
+  Vec<D> centre_;
+  Vec<D> size_;
+};
+
+/// A round bar along one of the axes.
+class Cylinder final : public Shape<3> {
+ public:
+  explicit Cylinder(const Parameters& keys)
+      : axis_(keys.text("axis")[0] - 'x'), radius_(keys.number("radius")), length_(keys.number("length")) {
+    centre_ = to_vector<3>(keys.numbers("base"));
+    centre_[axis_] += 0.5 * length_;
+  }
+  [[nodiscard]] Vec<3> centre() const override { return centre_; }
+  [[nodiscard]] Vec<3> size() const override {
+    Vec<3> size = Vec<3>::Constant(2.0 * radius_);
+    size[axis_] = length_;
+    return size;
+  }
+  [[nodiscard]] bool ends_in_planes(int axis) const override { return axis == axis_; }
+  [[nodiscard]] bool contains(const Vec<3>& offset) const override {
+    return std::abs(offset[axis_]) <= 0.5 * length_ && across(offset) <= radius_;
+  }
+  [[nodiscard]] double volume() const override { return pi * radius_ * radius_ * length_; }
+  [[nodiscard]] double reach(const Vec<3>& direction) const override {
+    return 0.5 * length_ * std::abs(direction[axis_]) + radius_ * across(direction);
+  }
+
+ private:
+  /// Length of the part of a vector that is normal to the axis.
+  [[nodiscard]] double across(Vec<3> vector) const {
+    vector[axis_] = 0.0;
+    return vector.norm();
+  }
+  int axis_;
+  double radius_;
+  double length_;
+  Vec<3> centre_;
+};
+
+/// The region between two circles; with an inner radius of zero a disc.
+class Ring final : public Shape<2> {
+ public:
+  explicit Ring(const Parameters& keys)
+      : centre_(to_vector<2>(keys.numbers("centre"))),
+        inner_(keys.number("inner_radius")),
+        outer_(keys.number("outer_radius")) {
+    if (!(outer_ > inner_)) throw InputError("outer_radius must be larger than inner_radius");
+  }
+  [[nodiscard]] Vec<2> centre() const override { return centre_; }
+  [[nodiscard]] Vec<2> size() const override { return Vec<2>::Constant(2.0 * outer_); }
+  [[nodiscard]] bool ends_in_planes(int) const override { return false; }
+  [[nodiscard]] bool contains(const Vec<2>& offset) const override {
+    const double distance = offset.norm();
+    return distance >= inner_ && distance <= outer_;
+  }
+  [[nodiscard]] double volume() const override { return pi * (outer_ - inner_) * (outer_ + inner_); }
+  [[nodiscard]] double reach(const Vec<2>& direction) const override { return outer_ * direction.norm(); }
+
+ private:
+  Vec<2> centre_;
+  double inner_;
+  double outer_;
+};
+
+template <int D>
+std::unique_ptr<Shape<D>> make_box(const Parameters& keys) {
+  return std::make_unique<Box<D>>(to_vector<D>(keys.numbers("min")), to_vector<D>(keys.numbers("max")));
+}
+
+std::unique_ptr<Shape<1>> make_interval(const Parameters& keys) {
+  return std::make_unique<Box<1>>(Vec<1>(keys.number("min")), Vec<1>(keys.number("max")));
+}
+
+/// A kind of shape and what makes it, for the dimensions it exists in.
+struct ShapeRow {
+  EntryKind kind;
+  std::unique_ptr<Shape<1>> (*make_1d)(const Parameters&) = nullptr;
+  std::unique_ptr<Shape<2>> (*make_2d)(const Parameters&) = nullptr;
+  std::unique_ptr<Shape<3>> (*make_3d)(const Parameters&) = nullptr;
+
+  template <int D>
+  [[nodiscard]] auto make() const {
+    if constexpr (D == 1) return make_1d;
+    if constexpr (D == 2) return make_2d;
+    if constexpr (D == 3) return make_3d;
+  }
+};
+
+Key corner(std::string_view name, std::string_view help) {
+  return {.name = name, .kind = ValueKind::vector, .unit = "m", .help = help};
+}
+
+Key length(std::string_view name, std::string_view help, Range range = Range::positive) {
+  return {.name = name, .unit = "m", .range = range, .help = help};
+}
+
+Key origin(std::string_view name, std::string_view help) {
+  return {.name = name, .kind = ValueKind::vector, .unit = "m", .standard = std::vector<double>{0.0}, .help = help};
+}
+
+const std::vector<ShapeRow>& shape_rows() {
+  static const std::vector<ShapeRow> rows = {
+      {.kind = {.type = "box",
+                .summary = "A box along the axes, a rectangle in 2D; each side a whole number of spacings",
+                .keys = {corner("min", "lowest corner"), corner("max", "highest corner")},
+                .dimensions = {2, 3}},
+       .make_2d = make_box<2>,
+       .make_3d = make_box<3>},
+      {.kind = {.type = "cylinder",
+                .summary = "A round bar along an axis; its length a whole number of spacings",
+                .keys = {origin("base", "centre of the end with the lowest coordinate"),
+                         {.name = "axis",
+                          .kind = ValueKind::choice,
+                          .standard = "z",
+                          .help = "direction of the bar",
+                          .choices = {"x", "y", "z"}},
+                         length("radius", "radius"),
+                         length("length", "length along the axis")},
+                .dimensions = {3}},
+       .make_3d = [](const Parameters& keys) -> std::unique_ptr<Shape<3>> { return std::make_unique<Cylinder>(keys); }},
+      {.kind = {.type = "interval",
+                .summary = "A stretch of the line; a whole number of spacings",
+                .keys = {length("min", "lower end", Range::any), length("max", "upper end", Range::any)},
+                .dimensions = {1}},
+       .make_1d = make_interval},
+      {.kind = {.type = "ring",
+                .summary = "The region between two circles, a disc when the inner radius is zero",
+                .keys = {origin("centre", "centre of the circles"),
+                         length("inner_radius", "radius of the hole", Range::not_negative),
+                         length("outer_radius", "radius of the outside")},
+                .dimensions = {2}},
+       .make_2d = [](const Parameters& keys) -> std::unique_ptr<Shape<2>> { return std::make_unique<Ring>(keys); }},
+  };
+  return rows;
+}
+
+}  // namespace
+
+std::span<const EntryKind> shape_kinds() {
+  static const std::vector<EntryKind> kinds = [] {
+    std::vector<EntryKind> all;
+    for (const ShapeRow& row : shape_rows()) all.push_back(row.kind);
+    return all;
+  }();
+  return kinds;
+}
+
+template <int D>
+std::unique_ptr<Shape<D>> make_shape(const TypedEntry& entry) {
+  for (const ShapeRow& row : shape_rows())
+    if (row.kind.type == entry.type && row.make<D>() != nullptr) return row.make<D>()(entry.parameters);
+  throw InputError("there is no shape '" + entry.type + "' in " + std::to_string(D) + " dimensions");
+}
+
+template std::unique_ptr<Shape<1>> make_shape<1>(const TypedEntry& entry);
+template std::unique_ptr<Shape<2>> make_shape<2>(const TypedEntry& entry);
+template std::unique_ptr<Shape<3>> make_shape<3>(const TypedEntry& entry);
+
+}  // namespace anvil
