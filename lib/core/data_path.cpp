@@ -43,7 +43,8 @@ fs::path find_bundled(const std::string& folder, const std::string& name) {
   const auto roots = bundled_roots();
   if (roots.empty())
     throw MissingResourceError(
-        "the files that come with Anvil were not found; set the environment variable ANVIL_DATA to the folder that holds "
+        "the files that come with Anvil were not found; set the environment variable ANVIL_DATA to the folder that "
+        "holds "
         "scenes, materials and reference");
   std::error_code failure;
   for (const auto& root : roots)
