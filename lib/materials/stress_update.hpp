@@ -29,16 +29,28 @@ ANVIL_INLINE Tensor spin_rotation(const Tensor& velocity_gradient, double dt) {
   return rotation;
 }
 
-/// R t R^T of a symmetric tensor, symmetric to the last bit.
+/// R t R^T of a symmetric tensor, symmetric to the last bit. Written out: loops over small arrays keep them in memory.
 ANVIL_INLINE Tensor rotate_symmetric(const Tensor& rotation, const Tensor& tensor) {
-  const Tensor half = rotation.lazyProduct(tensor);
+  const Tensor& r = rotation;
+  const double xx = tensor(0, 0), yy = tensor(1, 1), zz = tensor(2, 2);
+  const double xy = tensor(0, 1), yz = tensor(1, 2), xz = tensor(0, 2);
+  // Rows of R t.
+  const double x0 = r(0, 0) * xx + r(0, 1) * xy + r(0, 2) * xz;
+  const double x1 = r(0, 0) * xy + r(0, 1) * yy + r(0, 2) * yz;
+  const double x2 = r(0, 0) * xz + r(0, 1) * yz + r(0, 2) * zz;
+  const double y0 = r(1, 0) * xx + r(1, 1) * xy + r(1, 2) * xz;
+  const double y1 = r(1, 0) * xy + r(1, 1) * yy + r(1, 2) * yz;
+  const double y2 = r(1, 0) * xz + r(1, 1) * yz + r(1, 2) * zz;
+  const double z0 = r(2, 0) * xx + r(2, 1) * xy + r(2, 2) * xz;
+  const double z1 = r(2, 0) * xy + r(2, 1) * yy + r(2, 2) * yz;
+  const double z2 = r(2, 0) * xz + r(2, 1) * yz + r(2, 2) * zz;
   Tensor rotated;
-  for (int a = 0; a < 3; ++a) {
-    for (int b = a; b < 3; ++b) {
-      rotated(a, b) = half(a, 0) * rotation(b, 0) + half(a, 1) * rotation(b, 1) + half(a, 2) * rotation(b, 2);
-      rotated(b, a) = rotated(a, b);
-    }
-  }
+  rotated(0, 0) = x0 * r(0, 0) + x1 * r(0, 1) + x2 * r(0, 2);
+  rotated(1, 1) = y0 * r(1, 0) + y1 * r(1, 1) + y2 * r(1, 2);
+  rotated(2, 2) = z0 * r(2, 0) + z1 * r(2, 1) + z2 * r(2, 2);
+  rotated(0, 1) = rotated(1, 0) = x0 * r(1, 0) + x1 * r(1, 1) + x2 * r(1, 2);
+  rotated(0, 2) = rotated(2, 0) = x0 * r(2, 0) + x1 * r(2, 1) + x2 * r(2, 2);
+  rotated(1, 2) = rotated(2, 1) = y0 * r(2, 0) + y1 * r(2, 1) + y2 * r(2, 2);
   return rotated;
 }
 
