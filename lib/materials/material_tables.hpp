@@ -10,6 +10,7 @@
 #include "anvil/materials/strength/j2.hpp"
 #include "anvil/materials/strength/no_strength.hpp"
 #include "anvil/materials/strength/strength_law.hpp"
+#include "anvil/materials/strength/voce.hpp"
 #include "anvil/scene/key.hpp"
 
 namespace anvil {
@@ -17,7 +18,7 @@ namespace anvil {
 // The tables of laws. The scene's keys, `anvil list`, the factories and the property tests are all made from them.
 // To be visited once per range of particles, never per particle.
 using Eos = std::variant<LinearEos>;
-using Strength = std::variant<NoStrength, Elastic, J2>;
+using Strength = std::variant<NoStrength, Elastic, J2, Voce>;
 
 /// Name, summary and keys of each law, in the order of its table.
 std::span<const EntryKind> eos_kinds();

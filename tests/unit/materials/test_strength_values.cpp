@@ -8,6 +8,7 @@
 #include "anvil/materials/strength/elastic.hpp"
 #include "anvil/materials/strength/j2.hpp"
 #include "anvil/materials/strength/no_strength.hpp"
+#include "anvil/materials/strength/voce.hpp"
 #include "anvil/materials/stress_update.hpp"
 
 namespace anvil {
@@ -115,6 +116,37 @@ TEST(J2, PassesOnWhatIsNotANumber) {
   StrengthHistory history;
   make_j2(yield_stress, 1.0).return_to_yield(deviator, history);
   EXPECT_TRUE(std::isnan(deviator(0, 0))) << "the guards of a run must see it";
+}
+
+Voce make_voce(double saturation_stress, double saturation_rate) {
+  Parameters parameters;
+  parameters.set("shear_modulus", shear_modulus);
+  parameters.set("yield_stress", yield_stress);
+  parameters.set("saturation_stress", saturation_stress);
+  parameters.set("saturation_rate", saturation_rate);
+  return Voce(parameters);
+}
+
+// In proportional loading the stress at the end of any number of steps lies on the same curve: the axial strain is
+// sigma / (3 G) + eps_p.
+TEST(Voce, FollowsItsSaturationCurve) {
+  for (const double rate : {0.0, 5.0, 1000.0}) {
+    for (const int steps : {1, 20}) {
+      StretchedBar bar(make_voce(300e6, rate));
+      const double stress = bar.stretch(0.1, steps);
+      const double plastic_strain = bar.history().plastic_strain;
+      EXPECT_NEAR(stress, yield_stress + 300e6 * (1.0 - std::exp(-rate * plastic_strain)), round_off);
+      EXPECT_NEAR(stress / (3.0 * shear_modulus) + plastic_strain, 0.1, 1e-14);
+    }
+  }
+}
+
+TEST(Voce, PlasticWorkIsTheAreaUnderTheCurve) {
+  StretchedBar bar(make_voce(300e6, 10.0));
+  bar.stretch(0.2, 1000);
+  const double strain = bar.history().plastic_strain;
+  const double area = (yield_stress + 300e6) * strain - 300e6 / 10.0 * (1.0 - std::exp(-10.0 * strain));
+  EXPECT_NEAR(bar.history().plastic_work, area, 1e-6 * area);  // trapezoids of 2e-4: (c d)^2 / 12
 }
 
 TEST(Elastic, NeverYields) {
