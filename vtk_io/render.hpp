@@ -42,7 +42,7 @@ struct RenderOptions {
   /// First line of the picture; empty: the provenance text "title", else the name of the scene.
   std::string title;
   /// From the bodies to the viewer (3D only); z points up in the picture. Must not be along z.
-  std::array<double, 3> view_direction{0.55, -1.0, 0.42};
+  std::array<double, 3> view_direction{0.5, -1.0, 0.4};
   std::array<int, 2> size{1600, 1200};              // pixels
   std::array<double, 3> background{1.0, 1.0, 1.0};  // red, green, blue, 0 to 1
 };

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtk_io/body_surface.hpp"
+
+#include <vtkAppendPolyData.h>
+#include <vtkClipPolyData.h>
+#include <vtkCutter.h>
+#include <vtkFlyingEdges3D.h>
+#include <vtkImageData.h>
+#include <vtkImplicitBoolean.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkSPHCubicKernel.h>
+#include <vtkSPHInterpolator.h>
+#include <vtkWindowedSincPolyDataFilter.h>
+
+#include <cmath>
+
+namespace anvil {
+namespace {
+
+constexpr const char* filling = "filling";  // 1 inside, 0 outside
+constexpr const char* colors = "colored_by";
+constexpr double smoothing_ratio = 1.1;  // h / spacing: bridges the gaps between stretched rows of particles
+
+/// Filling and colours on a grid of half the spacing.
+vtkSmartPointer<vtkDataSet> make_fields(const DrawnParticles& particles) {
+  const double cell = particles.spacing / 2;
+  double bounds[6];
+  particles.points->GetBounds(bounds);
+  vtkNew<vtkImageData> grid;
+  int nodes[3];
+  double origin[3];
+  for (int i = 0; i < 3; ++i) {
+    constexpr int margin = 6;  // cells: beyond the reach of the kernel
+    origin[i] = bounds[2 * i] - margin * cell;
+    nodes[i] = static_cast<int>(std::ceil((bounds[2 * i + 1] - bounds[2 * i]) / cell)) + 2 * margin + 1;
+  }
+  grid->SetOrigin(origin);
+  grid->SetDimensions(nodes);
+  grid->SetSpacing(cell, cell, cell);
+
+  vtkNew<vtkSPHCubicKernel> kernel;
+  kernel->SetSpatialStep(smoothing_ratio * particles.spacing);
+  vtkNew<vtkSPHInterpolator> interpolator;
+  interpolator->SetInputData(grid);
+  interpolator->SetSourceData(particles.points);
+  interpolator->SetKernel(kernel);
+  interpolator->SetComputeShepardSum(true);
+  interpolator->SetShepardSumArrayName(filling);
+  interpolator->SetShepardNormalization(true);
+  interpolator->Update();
+  return interpolator->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> make_closed_surface(vtkDataSet* fields, double level) {
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(fields);
+  contour->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, filling);
+  contour->SetValue(0, level);
+  contour->ComputeNormalsOff();
+  contour->InterpolateAttributesOn();
+  vtkNew<vtkWindowedSincPolyDataFilter> smooth;
+  smooth->SetInputConnection(contour->GetOutputPort());
+  smooth->SetNumberOfIterations(20);
+  smooth->SetPassBand(0.2);
+  smooth->NormalizeCoordinatesOn();
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(smooth->GetOutputPort());
+  normals->SplittingOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+/// The plane through the edge of the quarter across `axis` (0: x, 1: y); its normal points into the quarter.
+vtkSmartPointer<vtkPlane> make_side(const Quarter& quarter, int axis) {
+  auto plane = vtkSmartPointer<vtkPlane>::New();
+  plane->SetOrigin(quarter.x, quarter.y, 0.0);
+  plane->SetNormal(axis == 0 ? quarter.sign_x : 0.0, axis == 1 ? quarter.sign_y : 0.0, 0.0);
+  return plane;
+}
+
+vtkSmartPointer<vtkPolyData> clip_quarter_away(vtkPolyData* surface, const Quarter& quarter) {
+  vtkNew<vtkImplicitBoolean> inside;
+  inside->SetOperationTypeToUnion();  // negative only where both sides are: in the rest of the body
+  const auto side_x = make_side(quarter, 0);
+  const auto side_y = make_side(quarter, 1);
+  inside->AddFunction(side_x);
+  inside->AddFunction(side_y);
+  vtkNew<vtkClipPolyData> clip;
+  clip->SetInputData(surface);
+  clip->SetClipFunction(inside);
+  clip->InsideOutOn();
+  clip->Update();
+  return clip->GetOutput();
+}
+
+/// The face that the cut opens on one side of the quarter.
+vtkSmartPointer<vtkPolyData> make_cut_face(vtkDataSet* fields, double level, const Quarter& quarter, int axis) {
+  const auto plane = make_side(quarter, axis);
+  const auto other_side = make_side(quarter, 1 - axis);
+  vtkNew<vtkCutter> section;
+  section->SetInputData(fields);
+  section->SetCutFunction(plane);
+  vtkNew<vtkClipPolyData> half;
+  half->SetInputConnection(section->GetOutputPort());
+  half->SetClipFunction(other_side);
+  half->Update();
+  half->GetOutput()->GetPointData()->SetActiveScalars(filling);
+  vtkNew<vtkClipPolyData> filled;
+  filled->SetInputData(half->GetOutput());
+  filled->SetValue(level);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputConnection(filled->GetOutputPort());
+  normals->Update();
+  return normals->GetOutput();
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> make_body_surface(const DrawnParticles& particles,
+                                               const std::optional<Quarter>& cut_away) {
+  constexpr double level = 0.5;
+  const auto fields = make_fields(particles);
+  auto surface = make_closed_surface(fields, level);
+  if (cut_away) {
+    vtkNew<vtkAppendPolyData> parts;
+    parts->AddInputData(clip_quarter_away(surface, *cut_away));
+    parts->AddInputData(make_cut_face(fields, level, *cut_away, 0));
+    parts->AddInputData(make_cut_face(fields, level, *cut_away, 1));
+    parts->Update();
+    surface = parts->GetOutput();
+  }
+  surface->GetPointData()->SetActiveScalars(colors);
+  return surface;
+}
+
+}  // namespace anvil

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtk_io/drawn_particles.hpp"
+
+#include <vtkDoubleArray.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkStaticPointLocator.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace anvil {
+namespace {
+
+constexpr double millimetres = 1e3;
+constexpr const char* initial_position = "initial_position";
+
+vtkSmartPointer<vtkDoubleArray> make_lengths(const std::vector<double>& metres) {
+  auto lengths = vtkSmartPointer<vtkDoubleArray>::New();
+  lengths->SetNumberOfComponents(3);
+  lengths->SetNumberOfTuples(static_cast<vtkIdType>(metres.size() / 3));
+  std::transform(metres.begin(), metres.end(), lengths->GetPointer(0), [](double x) { return x * millimetres; });
+  return lengths;
+}
+
+void add_vertices(vtkPolyData& points) {
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType i = 0; i < points.GetNumberOfPoints(); ++i) vertices->InsertNextCell(1, &i);
+  points.SetVerts(vertices);
+}
+
+/// The median over the particles of the distance to the nearest other one.
+double median_spacing(vtkDataArray* positions) {
+  vtkNew<vtkPoints> points;
+  points->SetData(positions);
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  vtkNew<vtkStaticPointLocator> locator;
+  locator->SetDataSet(cloud);
+  locator->BuildLocator();
+  std::vector<double> distances;
+  vtkNew<vtkIdList> nearest;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
+    locator->FindClosestNPoints(2, points->GetPoint(i), nearest);
+    if (nearest->GetNumberOfIds() < 2) continue;
+    const vtkIdType other = nearest->GetId(0) == i ? nearest->GetId(1) : nearest->GetId(0);
+    double a[3];
+    double b[3];
+    points->GetPoint(i, a);
+    points->GetPoint(other, b);
+    distances.push_back(std::sqrt(vtkMath::Distance2BetweenPoints(a, b)));
+  }
+  if (distances.empty()) return 1.0;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+/// Boxes around the initial positions of each body; particles reach half a spacing beyond their centres.
+std::vector<vtkBoundingBox> undeformed_boxes(const Frame& frame, vtkDataArray* initial, double spacing) {
+  const FrameArray* bodies = frame.find("body");
+  std::map<int, vtkBoundingBox> boxes;
+  for (vtkIdType i = 0; i < initial->GetNumberOfTuples(); ++i) {
+    const int body = bodies == nullptr ? 0 : static_cast<int>(bodies->values[static_cast<std::size_t>(i)]);
+    boxes[body].AddPoint(initial->GetTuple3(i));
+  }
+  std::vector<vtkBoundingBox> inflated;
+  for (auto& [body, box] : boxes) {
+    box.Inflate(spacing / 2);
+    inflated.push_back(box);
+  }
+  return inflated;
+}
+
+}  // namespace
+
+DrawnParticles make_drawn_particles(const Frame& frame, const std::vector<double>& colored_by) {
+  DrawnParticles particles;
+  particles.points = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetData(make_lengths(frame.positions));
+  particles.points->SetPoints(points);
+  add_vertices(*particles.points);
+
+  vtkNew<vtkDoubleArray> colors;
+  colors->SetName("colored_by");
+  for (const double value : colored_by) colors->InsertNextValue(value);
+  particles.points->GetPointData()->SetScalars(colors);
+
+  const FrameArray* initial = frame.find(initial_position);
+  const auto reference = make_lengths(initial == nullptr ? frame.positions : initial->values);
+  reference->SetName(initial_position);
+  particles.points->GetPointData()->AddArray(reference);
+  particles.spacing = median_spacing(reference);
+  if (initial != nullptr) particles.undeformed = undeformed_boxes(frame, reference, particles.spacing);
+  return particles;
+}
+
+DrawnParticles without_quarter(const DrawnParticles& particles, const Quarter& quarter) {
+  vtkPointData& arrays = *particles.points->GetPointData();
+  vtkDataArray* reference = arrays.GetArray(initial_position);
+  DrawnParticles rest = particles;
+  rest.points = vtkSmartPointer<vtkPolyData>::New();
+  rest.points->GetPointData()->CopyAllocate(&arrays);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < particles.points->GetNumberOfPoints(); ++i) {
+    if (quarter.contains(reference->GetTuple3(i))) continue;
+    rest.points->GetPointData()->CopyData(&arrays, i, points->InsertNextPoint(particles.points->GetPoint(i)));
+  }
+  rest.points->SetPoints(points);
+  add_vertices(*rest.points);
+  return rest;
+}
+
+}  // namespace anvil

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "anvil/output/frame.hpp"
+#include "vtk_io/render.hpp"
+
+namespace anvil {
+
+/// One number per particle to colour by, in a unit fit for reading: stresses in MPa, lengths in mm.
+struct SelectedField {
+  std::string label;  // "von Mises stress", and "[MPa]" on a second line
+  std::vector<double> values;
+  double per_si_unit = 1.0;  // 1e-6 for MPa
+};
+
+/// The field that RenderOptions::field names. Throws InputError, with the names there are, when the frame has no such
+/// field.
+SelectedField select_field(const Frame& frame, const std::string& name);
+
+/// Ends of the colour bar in the unit of the field: `wanted` (SI) or, without it, the values rounded outward to a nice
+/// step. Throws InputError when `wanted` is empty.
+FieldRange range_of(const SelectedField& field, const std::optional<FieldRange>& wanted);
+
+}  // namespace anvil

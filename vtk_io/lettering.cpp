@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtk_io/lettering.hpp"
+
+#include <fmt/format.h>
+#include <vtkActor2D.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCoordinate.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkTextActor.h>
+
+#include <cmath>
+
+#include "vtk_io/font.hpp"
+#include "vtk_io/ticks.hpp"
+
+namespace anvil {
+namespace {
+
+constexpr double ink = 0.1;
+
+vtkSmartPointer<vtkActor2D> make_drawing(vtkPolyData* shapes, vtkLookupTable* colors) {
+  vtkNew<vtkCoordinate> relative;
+  relative->SetCoordinateSystemToNormalizedViewport();
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(shapes);
+  mapper->SetTransformCoordinate(relative);
+  if (colors != nullptr) {
+    mapper->SetLookupTable(colors);
+    mapper->UseLookupTableScalarRangeOn();
+  }
+  auto actor = vtkSmartPointer<vtkActor2D>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(ink, ink, ink);
+  actor->GetProperty()->SetLineWidth(2.0F);
+  return actor;
+}
+
+/// A stack of quads, one for each colour.
+vtkSmartPointer<vtkPolyData> make_color_stack(vtkLookupTable* colors, const std::array<double, 4>& part) {
+  const vtkIdType count = colors->GetNumberOfTableValues();
+  const double* range = colors->GetTableRange();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> quads;
+  vtkNew<vtkDoubleArray> values;
+  for (vtkIdType i = 0; i <= count; ++i) {
+    const double y = part[1] + (part[3] - part[1]) * static_cast<double>(i) / static_cast<double>(count);
+    points->InsertNextPoint(part[0], y, 0.0);
+    points->InsertNextPoint(part[2], y, 0.0);
+    if (i == count) break;
+    quads->InsertNextCell({2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2});
+    values->InsertNextValue(range[0] +
+                            (range[1] - range[0]) * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
+  }
+  auto stack = vtkSmartPointer<vtkPolyData>::New();
+  stack->SetPoints(points);
+  stack->SetPolys(quads);
+  stack->GetCellData()->SetScalars(values);
+  return stack;
+}
+
+void add_line(vtkPolyData& lines, double x0, double y0, double x1, double y1) {
+  const vtkIdType a = lines.GetPoints()->InsertNextPoint(x0, y0, 0.0);
+  const vtkIdType b = lines.GetPoints()->InsertNextPoint(x1, y1, 0.0);
+  lines.GetLines()->InsertNextCell({a, b});
+}
+
+}  // namespace
+
+void set_font(vtkTextProperty* property, int height) {
+  property->SetFontFamily(VTK_FONT_FILE);
+  property->SetFontFile(font_file().c_str());
+  property->SetFontSize(height);
+  property->SetColor(ink, ink, ink);
+}
+
+void add_text(vtkRenderer* renderer, const std::string& text, const std::array<double, 2>& at, int height,
+              int alignment) {
+  vtkNew<vtkTextActor> actor;
+  actor->SetInput(text.c_str());
+  set_font(actor->GetTextProperty(), height);
+  actor->GetTextProperty()->SetJustification(alignment);
+  actor->GetTextProperty()->SetVerticalJustificationToCentered();
+  actor->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  actor->SetPosition(at[0], at[1]);
+  renderer->AddActor2D(actor);
+}
+
+void add_color_bar(vtkRenderer* renderer, vtkLookupTable* colors, const std::string& label,
+                   const std::array<double, 4>& part, int height) {
+  const auto [left, bottom, right, top] = part;
+  renderer->AddActor2D(make_drawing(make_color_stack(colors, part), colors));
+
+  vtkNew<vtkPolyData> lines;
+  lines->SetPoints(vtkSmartPointer<vtkPoints>::New());
+  lines->SetLines(vtkSmartPointer<vtkCellArray>::New());
+  add_line(*lines, left, bottom, right, bottom);
+  add_line(*lines, right, bottom, right, top);
+  add_line(*lines, right, top, left, top);
+  add_line(*lines, left, top, left, bottom);
+  const double low = colors->GetTableRange()[0];
+  const double high = colors->GetTableRange()[1];
+  const double step = nice_step(high - low, 6);
+  const std::string format = tick_format(step, std::max(std::abs(low), std::abs(high)));
+  const double tick = 0.25 * (right - left);
+  for (const double value : multiples_between(low, high, step)) {
+    const double y = bottom + (top - bottom) * (value - low) / (high - low);
+    add_line(*lines, right, y, right + tick, y);
+    std::array<char, 32> number{};
+    std::snprintf(number.data(), number.size(), format.c_str(), value);
+    add_text(renderer, number.data(), {right + 2 * tick, y}, height, VTK_TEXT_LEFT);
+  }
+  renderer->AddActor2D(make_drawing(lines, nullptr));
+  add_text(renderer, label, {0.5 * (left + right), top + 0.05}, height, VTK_TEXT_CENTERED);
+}
+
+std::string time_text(double seconds) {
+  if (std::abs(seconds) < 1e-3) return fmt::format("{:.4g} µs", seconds * 1e6);
+  return std::abs(seconds) < 1.0 ? fmt::format("{:.4g} ms", seconds * 1e3) : fmt::format("{:.4g} s", seconds);
+}
+
+}  // namespace anvil

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtk_io/view_parts.hpp"
+
+#include <fmt/format.h>
+#include <vtkActor.h>
+#include <vtkBillboardTextActor3D.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkOpenGLSphereMapper.h>
+#include <vtkOutlineSource.h>
+#include <vtkPlaneSource.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkTextProperty.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "vtk_io/lettering.hpp"
+#include "vtk_io/ticks.hpp"
+
+namespace anvil {
+namespace {
+
+constexpr double dark = 0.15;
+constexpr double grey = 0.45;
+constexpr double metre = 1e3;  // in mm
+
+void color_by_scalars(vtkPolyDataMapper* mapper, vtkLookupTable* colors) {
+  mapper->SetLookupTable(colors);
+  mapper->UseLookupTableScalarRangeOn();
+  mapper->SetScalarModeToUsePointData();
+}
+
+vtkActor* add_actor(vtkRenderer* view, vtkPolyDataMapper* mapper) {
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  view->AddActor(actor);
+  return actor;
+}
+
+/// Much ambient light keeps faces that turn away readable against the colour bar.
+void set_material(vtkProperty* property) {
+  property->SetAmbient(0.4);
+  property->SetDiffuse(0.7);
+  property->SetSpecular(0.08);
+  property->SetSpecularPower(20.0);
+}
+
+vtkActor* add_lines(vtkRenderer* view, vtkPolyData* lines, float width, double shade) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(lines);
+  vtkActor* actor = add_actor(view, mapper);
+  actor->GetProperty()->SetColor(shade, shade, shade);
+  actor->GetProperty()->SetLineWidth(width);
+  actor->GetProperty()->LightingOff();
+  return actor;
+}
+
+vtkActor* add_sphere_actor(vtkRenderer* view, vtkPolyData* points, double radius, vtkLookupTable* colors) {
+  vtkNew<vtkOpenGLSphereMapper> mapper;
+  mapper->SetInputData(points);
+  mapper->SetRadius(static_cast<float>(radius));
+  color_by_scalars(mapper, colors);
+  return add_actor(view, mapper);
+}
+
+Direction along(const Direction& begin, const Direction& axis, double distance) {
+  return {begin[0] + distance * axis[0], begin[1] + distance * axis[1], begin[2] + distance * axis[2]};
+}
+
+void add_label(vtkRenderer* view, const std::string& text, const Direction& at, int font_height) {
+  vtkNew<vtkBillboardTextActor3D> label;
+  label->SetInput(text.c_str());
+  label->SetPosition(at[0], at[1], at[2]);
+  set_font(label->GetTextProperty(), font_height);
+  label->GetTextProperty()->SetJustificationToCentered();
+  label->GetTextProperty()->SetVerticalJustificationToCentered();
+  view->AddActor(label);
+}
+
+}  // namespace
+
+void add_spheres(vtkRenderer* view, vtkPolyData* points, double radius, vtkLookupTable* colors) {
+  set_material(add_sphere_actor(view, points, radius, colors)->GetProperty());
+}
+
+void add_discs(vtkRenderer* view, vtkPolyData* points, double radius, vtkLookupTable* colors) {
+  vtkProperty* property = add_sphere_actor(view, points, radius, colors)->GetProperty();
+  property->SetAmbient(1.0);
+  property->SetDiffuse(0.0);
+}
+
+void add_surface(vtkRenderer* view, vtkPolyData* surface, vtkLookupTable* colors) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface);
+  mapper->InterpolateScalarsBeforeMappingOn();
+  color_by_scalars(mapper, colors);
+  set_material(add_actor(view, mapper)->GetProperty());
+}
+
+void add_outline(vtkRenderer* view, const vtkBoundingBox& box) {
+  double bounds[6];
+  box.GetBounds(bounds);
+  vtkNew<vtkOutlineSource> outline;
+  outline->SetBounds(bounds);
+  outline->Update();
+  add_lines(view, outline->GetOutput(), 1.5F, grey);
+}
+
+void add_wall(vtkRenderer* view, const WallPlane& wall, const vtkBoundingBox& body) {
+  Direction normal = wall.normal;
+  vtkMath::Normalize(normal.data());
+  double center[3];
+  body.GetCenter(center);
+  double above = 0.0;  // distance of the body's middle from the wall
+  for (int i = 0; i < 3; ++i)
+    above += normal[static_cast<std::size_t>(i)] * (center[i] - metre * wall.point[static_cast<std::size_t>(i)]);
+  Direction u{};
+  Direction v{};
+  vtkMath::Perpendiculars(normal.data(), u.data(), v.data(), 0.0);
+  double lengths[3];
+  body.GetLengths(lengths);
+  double half_width = 0.0;  // of the body, seen along the normal
+  for (std::size_t i = 0; i < 3; ++i)
+    half_width = std::max(half_width, 0.5 * lengths[i] * std::sqrt(1.0 - normal[i] * normal[i]));
+
+  const double half = 1.15 * half_width;
+  const Direction middle = along({center[0], center[1], center[2]}, normal, -above);
+  const Direction corner = along(along(middle, u, -half), v, -half);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(corner.data());
+  plane->SetPoint1(along(corner, u, 2 * half).data());
+  plane->SetPoint2(along(corner, v, 2 * half).data());
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  vtkProperty* property = add_actor(view, mapper)->GetProperty();
+  property->SetColor(0.86, 0.89, 0.92);
+  property->SetEdgeColor(grey, grey, grey);
+  property->EdgeVisibilityOn();
+  property->SetLineWidth(1.5F);
+  property->LightingOff();
+}
+
+void add_ruler(vtkRenderer* view, const Direction& begin, const Direction& axis, const Direction& side, double length,
+               int font_height) {
+  vtkNew<vtkPolyData> lines;
+  lines->SetPoints(vtkSmartPointer<vtkPoints>::New());
+  lines->SetLines(vtkSmartPointer<vtkCellArray>::New());
+  const auto add_line = [&](const Direction& from, const Direction& to) {
+    const vtkIdType a = lines->GetPoints()->InsertNextPoint(from.data());
+    const vtkIdType b = lines->GetPoints()->InsertNextPoint(to.data());
+    lines->GetLines()->InsertNextCell({a, b});
+  };
+  const double step = nice_step(length, 7);
+  const auto ticks = multiples_between(0.0, length, step);
+  const double tick_length = 0.02 * length;
+  add_line(begin, along(begin, axis, ticks.back()));
+  for (const double tick : ticks) {
+    const Direction at = along(begin, axis, tick);
+    add_line(at, along(at, side, tick_length));
+    add_label(view, fmt::format("{:g}", tick), along(at, side, 3.0 * tick_length), font_height);
+  }
+  add_label(view, "mm", along(along(begin, axis, ticks.back() + 0.3 * step), side, 3.0 * tick_length), font_height);
+  // Numbers have no size in space: this point makes room for them when the camera looks for what to show.
+  lines->GetPoints()->InsertNextPoint(along(begin, side, 4.5 * tick_length).data());
+  add_lines(view, lines, 2.0F, dark);
+}
+
+void aim_camera(vtkRenderer* view, const vtkBoundingBox& box, const Direction& direction, const Direction& up) {
+  double center[3];
+  box.GetCenter(center);
+  const double distance = 10.0 * box.GetDiagonalLength();
+  Direction backward = direction;
+  vtkMath::Normalize(backward.data());
+  vtkCamera* camera = view->GetActiveCamera();
+  camera->SetFocalPoint(center);
+  camera->SetPosition(along({center[0], center[1], center[2]}, backward, distance).data());
+  camera->SetViewUp(up.data());
+  camera->OrthogonalizeViewUp();
+
+  const double* upward = camera->GetViewUp();
+  Direction right{};
+  vtkMath::Cross(upward, backward.data(), right.data());
+  double half_width = 0.0;
+  double half_height = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    double corner[3];
+    box.GetCorner(i, corner);
+    vtkMath::Subtract(corner, center, corner);
+    half_width = std::max(half_width, std::abs(vtkMath::Dot(corner, right)));
+    half_height = std::max(half_height, std::abs(vtkMath::Dot(corner, upward)));
+  }
+  constexpr double margin = 1.04;
+  const double aspect = view->GetTiledAspectRatio();
+  camera->SetParallelScale(margin * std::max(half_height, half_width / aspect));
+  view->ResetCameraClippingRange();
+}
+
+}  // namespace anvil
