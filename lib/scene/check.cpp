@@ -37,26 +37,59 @@ void check_times(const Scene& scene, Contradictions& found) {
                                         scene.output.interval, end / scene.output.interval, end, most_frames)});
 }
 
-/// The spacing nearest to `spacing` that divides `side` into whole cells.
-double fitting_spacing(double side, double spacing) {
-  const double below = std::max(1.0, std::floor(side / spacing));
-  const double coarse = side / below;
-  const double fine = side / (below + 1.0);
-  return std::abs(coarse - spacing) <= std::abs(fine - spacing) ? coarse : fine;
+/// A kernel that ends two smoothing lengths away reaches this many particles.
+void check_neighbours(const Scene& scene, Contradictions& found) {
+  constexpr double most_neighbours = 1e4;  // beyond it a misprint is likelier than a wish
+  const double ratio = scene.discretisation.smoothing_ratio;
+  const double neighbours = std::pow(4.0 * ratio, scene.domain.dimension);
+  if (!(neighbours <= most_neighbours))
+    found.push_back({"discretisation.smoothing_ratio",
+                     fmt::format("{} gives each particle {:.3g} neighbours, and at most {:.3g} are possible", ratio,
+                                 neighbours, most_neighbours)});
+}
+
+void check_speeds(const Scene& scene, Contradictions& found) {
+  constexpr double speed_of_light = 299792458.0;  // m/s
+  for (const auto& body : scene.bodies) {
+    const bool possible = std::all_of(body.velocity.begin(), body.velocity.end(),
+                                      [](double component) { return std::abs(component) < speed_of_light; });
+    if (!possible) found.push_back({fmt::format("body.{}.velocity", body.name), "the body would be faster than light"});
+  }
+}
+
+/// Whether a length is a whole number of spacings.
+bool fits(double length, double spacing) {
+  constexpr double tolerance = 1e-6;  // of a spacing: far above the rounding of decimal lengths, far below an effect
+  const double cells = length / spacing;
+  return cells > 0.5 && std::abs(cells - std::round(cells)) <= tolerance;
+}
+
+/// The spacing nearest to `spacing` that divides the first length into whole cells, and if there is one not far away,
+/// one that divides all of them.
+double fitting_spacing(const std::vector<double>& lengths, double spacing) {
+  const double cells = std::max(1.0, std::round(lengths.front() / spacing));
+  for (int change = 0; change < 100; ++change) {
+    for (const double candidate :
+         {lengths.front() / (cells + change), lengths.front() / std::max(1.0, cells - change)}) {
+      const auto fits_candidate = [&](double length) { return fits(length, candidate); };
+      if (std::all_of(lengths.begin(), lengths.end(), fits_candidate)) return candidate;
+    }
+  }
+  return lengths.front() / cells;
 }
 
 template <int D>
 void check_fit(const BodyDescription& body, const Shape<D>& shape, double spacing, Contradictions& found) {
-  constexpr double tolerance = 1e-6;  // of a spacing: far above the rounding of decimal lengths, far below an effect
-  const Vec<D> size = shape.size();
-  for (int axis = 0; axis < D; ++axis) {
-    const double cells = size[axis] / spacing;
-    if (!shape.ends_in_planes(axis) || (cells > 0.5 && std::abs(cells - std::round(cells)) <= tolerance)) continue;
+  std::vector<double> lengths;
+  for (int axis = 0; axis < D; ++axis)
+    if (shape.ends_in_planes(axis)) lengths.push_back(shape.size()[axis]);
+  for (const double length : lengths) {
+    if (fits(length, spacing)) continue;
     found.push_back(
         {fmt::format("body.{}.shape", body.name),
-         fmt::format("its length of {:.9g} m along {} is {:.6g} spacings of {:.9g} m, which is not a whole number; "
-                     "the nearest discretisation.spacing that fits is {:.9g} m",
-                     size[axis], "xyz"[axis], cells, spacing, fitting_spacing(size[axis], spacing))});
+         fmt::format("its side of {:.9g} m is {:.6g} spacings of {:.9g} m, which is not a whole number; the "
+                     "nearest discretisation.spacing that fits is {:.9g} m",
+                     length, length / spacing, spacing, fitting_spacing(lengths, spacing))});
     return;  // one side at a time: a spacing that suits it may suit the others
   }
 }
@@ -152,6 +185,8 @@ std::vector<Contradiction> find_contradictions(const Scene& scene) {
   check_strain_state(scene.domain, found);
   check_times(scene, found);
   check_normals(scene, found);
+  check_neighbours(scene, found);
+  check_speeds(scene, found);
   if (scene.domain.dimension == 1) check_bodies<1>(scene, found);
   if (scene.domain.dimension == 2) check_bodies<2>(scene, found);
   if (scene.domain.dimension == 3) check_bodies<3>(scene, found);

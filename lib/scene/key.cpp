@@ -32,10 +32,15 @@ std::string expected_vector(const Key& key, int dimension) {
   return fmt::format("a list of numbers{}, one for each dimension", unit);
 }
 
-std::string entry_types(const Key& key) {
+std::string one_of(const std::vector<std::string_view>& choices) {
+  return fmt::format("{}{}", choices.size() == 1 ? "" : "one of ", fmt::join(choices, ", "));
+}
+
+std::string expected_entry(const Key& key) {
   std::vector<std::string_view> types;
   for (const EntryKind& kind : key.entries()) types.push_back(kind.type);
-  return fmt::format("{}", fmt::join(types, ", "));
+  if (key.name == "type") return one_of(types);  // its keys stand beside it
+  return fmt::format("a table {{ type = \"...\", ... }} with a type out of {}", fmt::join(types, ", "));
 }
 
 }  // namespace
@@ -48,7 +53,7 @@ std::string expected_value(const Key& key, int dimension) {
       if (key.choices.empty()) return expected_number(key, "integer");
       [[fallthrough]];
     case ValueKind::choice:
-      return fmt::format("one of {}", fmt::join(key.choices, ", "));
+      return one_of(key.choices);
     case ValueKind::flag:
       return "true or false";
     case ValueKind::text:
@@ -65,7 +70,7 @@ std::string expected_value(const Key& key, int dimension) {
     case ValueKind::named_numbers:
       return fmt::format("a table in which each value is {}", expected_number(key, "number"));
     case ValueKind::entry:
-      return fmt::format("a table {{ type = \"...\", ... }} with a type out of {}", entry_types(key));
+      return expected_entry(key);
   }
   return "";
 }

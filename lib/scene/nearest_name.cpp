@@ -32,7 +32,7 @@ std::string_view nearest_name(std::string_view name, std::span<const std::string
   constexpr std::size_t longest = 100;  // no name is longer; keeps a hostile one cheap
   if (name.size() > longest) return {};
   std::string_view nearest;
-  std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
+  std::size_t least = (name.size() + 2) / 3 + 1;
   for (const std::string_view candidate : known) {
     const std::size_t distance = edit_distance(name, candidate);
     if (distance < least) {

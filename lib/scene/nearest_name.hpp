@@ -8,7 +8,8 @@
 
 namespace anvil {
 
-/// The known name that `name` most likely stands for, "" when none is near: at most a third of its letters differ.
+/// The known name that `name` most likely stands for, "" when none is near: at most a third of its letters, rounded
+/// up, differ.
 std::string_view nearest_name(std::string_view name, std::span<const std::string_view> known);
 
 /// "; did you mean 'X'?" with the nearest of the known names, "; known are: A, B" when none is near, "" when none is

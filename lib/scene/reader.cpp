@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <set>
 #include <type_traits>
 
@@ -21,15 +22,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The parser's reason in plain words.
+std::string plain_reason(std::string reason) {
+  constexpr std::string_view prefix = "Error while parsing ";
+  if (reason.starts_with(prefix)) reason.replace(0, prefix.size(), "cannot read this ");
+  boost::replace_all(reason, "'\\n'", "the end of the line");
+  if (reason.find("unescaped control characters") != std::string::npos)
+    reason = "a text does not end; is a quote missing?";
+  if (reason.find("could not determine value type") != std::string::npos) reason += "; does a text lack its quotes?";
+  return reason;
+}
+
 toml::table parse_toml(const std::string& text, const std::string& file) {
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
-    std::string reason(error.description());
-    constexpr std::string_view prefix = "Error while parsing ";
-    if (reason.starts_with(prefix)) reason = "cannot read this " + reason.substr(prefix.size());
     const auto& begin = error.source().begin;
-    throw InputError(fmt::format("{}:{}:{}: not valid TOML: {}", file, begin.line, begin.column, reason));
+    throw InputError(fmt::format("{}:{}:{}: not valid TOML: {}", file, begin.line, begin.column,
+                                 plain_reason(std::string(error.description()))));
   }
 }
 
@@ -104,10 +114,12 @@ class SceneReader {
 
   template <class Owner>
   void read_element(const Section<Owner>& section, const toml::table& table, Owner& owner) {
-    const std::string path = fmt::format("{}.{}", section.name, owner.name);
-    if (context_.places.count(path) != 0)
+    std::string path = fmt::format("{}.{}", section.name, owner.name);
+    if (context_.places.count(path) != 0) {
       context_.problems.add(context_.place_of(table),
                             fmt::format("there is another {} named '{}'", section.name, owner.name));
+      path += " (again)";  // so that the places of its keys are not mixed up
+    }
     context_.places[path] = context_.place_of(table);
     read_section(section, table, path, owner);
   }
@@ -117,7 +129,8 @@ class SceneReader {
     std::vector<std::string_view> known;
     for (const auto& row : section.rows) known.push_back(row.key.name);
     if (section.occurrence == Occurrence::top_level)
-      for (const auto& other : scene_sections()) known.push_back(other.name);
+      for (const auto& other : scene_sections())
+        if (!other.name.empty()) known.push_back(other.name);
     bool inline_entry = false;
     for (const auto& row : section.rows) {
       inline_entry = inline_entry || (row.key.kind == ValueKind::entry && row.key.name == "type");
@@ -197,19 +210,40 @@ void add_bundled_materials(toml::table& document) {
   }
 }
 
+/// The place of a key, or of the nearest thing around it that has one.
+Place nearest_place(std::string path, const ReadContext& context) {
+  while (!path.empty()) {
+    if (const auto found = context.places.find(path); found != context.places.end()) return found->second;
+    const auto dot = path.rfind('.');
+    path.resize(dot == std::string::npos ? 0 : dot);
+  }
+  return {context.file};
+}
+
 void report_missing_materials(const Scene& scene, ReadContext& context) {
-  std::vector<std::string> names;
-  for (const auto& material : scene.materials) names.push_back(material.name);
-  const std::size_t own = names.size();
-  for (const auto& file : list_bundled("materials", ".toml")) names.push_back(fs::path(file).stem().string());
+  std::set<std::string> defined;
+  for (const auto& material : scene.materials) defined.insert(material.name);
+  std::set<std::string> known = defined;
+  for (const auto& file : list_bundled("materials", ".toml")) known.insert(fs::path(file).stem().string());
+  const std::vector<std::string> names(known.begin(), known.end());
   for (const auto& body : scene.bodies) {
-    const auto defined_end = names.begin() + static_cast<std::ptrdiff_t>(own);
-    if (body.material.empty() || std::find(names.begin(), defined_end, body.material) != defined_end) continue;
+    if (body.material.empty() || defined.count(body.material) != 0) continue;
     const std::string path = fmt::format("body.{}.material", body.name);
-    context.problems.add(context.places[path],
+    context.problems.add(nearest_place(path, context),
                          fmt::format("key '{}' names the material '{}', which is neither in the scene nor bundled{}",
                                      path, body.material, suggestion(body.material, views_of(names))));
   }
+}
+
+void report_missing_reference(const Scene& scene, ReadContext& context) {
+  if (scene.compare.reference.empty()) return;
+  std::vector<std::string> names;
+  for (const auto& file : list_bundled("reference", ".toml")) names.push_back(fs::path(file).stem().string());
+  if (std::find(names.begin(), names.end(), scene.compare.reference) != names.end()) return;
+  const std::string path = "compare.reference";
+  context.problems.add(nearest_place(path, context),
+                       fmt::format("key '{}' names the reference '{}', which is not bundled{}", path,
+                                   scene.compare.reference, suggestion(scene.compare.reference, views_of(names))));
 }
 
 void drop_unused_materials(Scene& scene) {
@@ -227,16 +261,8 @@ void fill_derived_defaults(Scene& scene) {
   }
   constexpr double frames = 20.0;
   if (scene.output.interval == 0.0) scene.output.interval = scene.time.end / frames;
-}
-
-/// The place of a key, or of the nearest thing around it that has one.
-Place nearest_place(std::string path, const ReadContext& context) {
-  while (!path.empty()) {
-    if (const auto found = context.places.find(path); found != context.places.end()) return found->second;
-    const auto dot = path.rfind('.');
-    path.resize(dot == std::string::npos ? 0 : dot);
-  }
-  return {context.file};
+  if (scene.output.interval == 0.0)
+    scene.output.interval = 1.0;  // nothing lies between the frames of a run that ends at 0
 }
 
 void read_document(toml::table& document, const std::vector<std::string>& overrides, Scene& scene,
@@ -253,6 +279,7 @@ void read_document(toml::table& document, const std::vector<std::string>& overri
   if (scene.bodies.empty() && !document.contains("body"))
     context.problems.add({context.file}, "the scene has no [[body]]: at least one is needed");
   report_missing_materials(scene, context);
+  report_missing_reference(scene, context);
 }
 
 Scene read_scene_from(const std::string& text, const std::string& file, const std::string& name,

@@ -27,9 +27,9 @@ void write_keys(std::ostream& page, const std::vector<const Key*>& keys) {
   fmt::print(page, "\n");
 }
 
-void write_kinds(std::ostream& page, const Key& entry) {
+void write_kinds(std::ostream& page, std::string_view owner, const Key& entry) {
   for (const EntryKind& kind : entry.entries()) {
-    fmt::print(page, "### {} `{}`\n\n{}.", entry.name, kind.type, kind.summary);
+    fmt::print(page, "### {} `{}`\n\n{}.", entry.name == "type" ? owner : entry.name, kind.type, kind.summary);
     if (kind.dimensions != std::vector<int>{1, 2, 3}) {
       fmt::print(page, " In scenes of dimension");
       for (std::size_t i = 0; i < kind.dimensions.size(); ++i)
@@ -59,7 +59,7 @@ void write_scene_reference(std::ostream& page) {
     fmt::print(page, "## {}\n\n{}\n\n", heading.empty() ? "Top of the file" : "`" + heading + "`", section.help);
     write_keys(page, section.keys);
     for (const Key* key : section.keys)
-      if (key->kind == ValueKind::entry) write_kinds(page, *key);
+      if (key->kind == ValueKind::entry) write_kinds(page, section.name, *key);
   }
 }
 

@@ -230,7 +230,7 @@ Section<OutputControl> output_section() {
                 .range = Range::positive,
                 .help = "simulated time between frames",
                 .optional = true,
-                .derived = "a twentieth of time.end"},
+                .derived = "a twentieth of time.end, 1 s when that is zero"},
                &OutputControl::interval},
               {{.name = "format",
                 .kind = ValueKind::choice,

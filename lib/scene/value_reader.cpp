@@ -146,6 +146,8 @@ std::string shortened(std::string text) {
   constexpr std::size_t longest = 60;
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  const auto both_blank = [](char a, char b) { return a == ' ' && b == ' '; };
+  text.erase(std::unique(text.begin(), text.end(), both_blank), text.end());
   if (text.size() <= longest) return text;
   std::size_t cut = longest;
   while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0) == 0x80) --cut;  // not inside a UTF-8 character
@@ -153,9 +155,14 @@ std::string shortened(std::string text) {
 }
 
 /// What was found instead of what was expected.
-std::string found_value(const toml::node& node, ValueKind expected) {
-  if (const auto* items = node.as_array(); items != nullptr && expected == ValueKind::vector && finite_numbers(node))
+std::string found_value(const toml::node& node, const Key& key) {
+  if (const auto* items = node.as_array(); items != nullptr && key.kind == ValueKind::vector && finite_numbers(node))
     return fmt::format("{} of them", items->size());
+  if (const auto* items = node.as_table(); items != nullptr && key.kind == ValueKind::named_numbers) {
+    for (const auto& [name, item] : *items)
+      if (const auto number = finite_number(item); !number || !in_range(*number, key.range))
+        return fmt::format("{} for '{}'", found_value(item, {.name = key.name}), shortened(std::string(name.str())));
+  }
   if (node.is_string()) return fmt::format("the text \"{}\"", shortened(node.as_string()->get()));
   if (node.is_table()) return "a table";
   if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
@@ -213,25 +220,25 @@ const EntryKind* find_kind(const Key& key, const toml::table& table, const std::
   }
   const auto types = types_of(key.entries());
   const std::string_view nearest = nearest_name(name, types);
-  context.problems.add(context.place_of(*type),
-                       fmt::format("key '{}' must be one of {}, found {}{}", type_path, fmt::join(types, ", "),
-                                   found_value(*type, ValueKind::choice),
-                                   nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+  context.problems.add(
+      context.place_of(*type),
+      fmt::format("key '{}' must be one of {}, found {}{}", type_path, fmt::join(types, ", "), found_value(*type, key),
+                  nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
   return nullptr;
 }
 
 }  // namespace
 
-Place ReadContext::place_of(const toml::node& node) const {
-  const auto& source = node.source();
+Place ReadContext::place_of(const toml::node& node) const { return place_of(node.source()); }
+
+Place ReadContext::place_of(const toml::key& key, const toml::node& value) const {
+  return place_of(key.source().path ? key.source() : value.source());
+}
+
+Place ReadContext::place_of(const toml::source_region& source) const {
   if (!source.path) return {file, 0, 0};
   if (source.path->starts_with("--set ")) return {*source.path, 0, 0};
   return {*source.path, source.begin.line, source.begin.column};
-}
-
-Place ReadContext::place_of(const toml::key& key, const toml::node& value) const {
-  const auto& source = key.source();
-  return source.path ? Place{*source.path, source.begin.line, source.begin.column} : place_of(value);
 }
 
 std::optional<Value> read_value(const Key& key, const toml::node& node, const std::string& path, ReadContext& context) {
@@ -239,7 +246,7 @@ std::optional<Value> read_value(const Key& key, const toml::node& node, const st
   if (value && in_range(*value, key.range) && (key.choices.empty() || !not_a_choice(*value, key.choices))) return value;
   context.problems.add(context.place_of(node),
                        fmt::format("key '{}' must be {}, found {}{}", path, expected_value(key, context.dimension),
-                                   found_value(node, key.kind), advice(key, node, value)));
+                                   found_value(node, key), advice(key, node, value)));
   return std::nullopt;
 }
 

@@ -24,6 +24,7 @@ struct ReadContext {
   /// Where the node stands, or the file when the node was made and not read.
   [[nodiscard]] Place place_of(const toml::node& node) const;
   [[nodiscard]] Place place_of(const toml::key& key, const toml::node& value) const;
+  [[nodiscard]] Place place_of(const toml::source_region& source) const;
 };
 
 /// The value of a key, or nothing and a problem when the node does not hold what the key expects.
