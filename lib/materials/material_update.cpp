@@ -10,8 +10,8 @@ namespace {
 
 template <int D, class Law>
 class StrengthAtWork final : public StrengthUpdate<D> {
-  using State = typename StrainStateOf<D>::Type;
-  static constexpr std::size_t components = State::components;
+  using StrainState = typename StrainStateOf<D>::Type;
+  static constexpr std::size_t components = StrainState::components;
 
  public:
   StrengthAtWork(const Law& law, FieldStore& fields) : law_(law) {
@@ -20,46 +20,48 @@ class StrengthAtWork final : public StrengthUpdate<D> {
     mass_ = fields.scalar(field::mass);
     density_ = fields.scalar(field::density);
     if constexpr (Law::resists_shear) {
-      fields.require(field::deviatoric_stress, State::components);
-      deviator_ = fields.vector<State::components>(field::deviatoric_stress).raw();
+      fields.require(field::deviatoric_stress, StrainState::components);
+      deviator_ = fields.vector<StrainState::components>(field::deviatoric_stress).raw();
     }
     if constexpr (Law::has_plastic_strain) {
       fields.require(field::plastic_strain);
       plastic_strain_ = fields.scalar(field::plastic_strain).data();
     }
     if (law.has_back_stress()) {
-      fields.require(field::back_stress, State::components);
-      back_stress_ = fields.vector<State::components>(field::back_stress).raw();
+      fields.require(field::back_stress, StrainState::components);
+      back_stress_ = fields.vector<StrainState::components>(field::back_stress).raw();
     }
   }
 
   double update(ParticleRange range, const double* velocity_gradient, double time_step) const override {
     double work = 0.0;
     if constexpr (Law::resists_shear) {
-      for (auto i = static_cast<std::size_t>(range.begin); i < static_cast<std::size_t>(range.end); ++i) {
+      for (std::size_t i = range.first(); i < range.last(); ++i) {
         StrengthHistory history;
         if constexpr (Law::has_plastic_strain) history.plastic_strain = plastic_strain_[i];
-        if (back_stress_ != nullptr) history.back_stress = State::deviator(back_stress_ + components * i);
-        Tensor deviator = State::deviator(deviator_ + components * i);
+        if (back_stress_ != nullptr) history.back_stress = StrainState::deviator(back_stress_ + components * i);
+        Tensor deviator = StrainState::deviator(deviator_ + components * i);
         const Tensor gradient = lift_gradient<D>(velocity_gradient);
         velocity_gradient += D * D;
         const PlasticStep step = update_deviator(law_, deviator, history, gradient, time_step);
-        State::store(deviator, deviator_ + components * i);
+        StrainState::store(deviator, deviator_ + components * i);
         if constexpr (Law::has_plastic_strain) plastic_strain_[i] = history.plastic_strain;
-        if (back_stress_ != nullptr) State::store(history.back_stress, back_stress_ + components * i);
+        if (back_stress_ != nullptr) StrainState::store(history.back_stress, back_stress_ + components * i);
         work += step.plastic_work * mass_[i] / density_[i];
       }
     }
     return work;
   }
 
+  [[nodiscard]] std::string_view law() const override { return name_; }
+  [[nodiscard]] bool resists_shear() const override { return Law::resists_shear; }
   [[nodiscard]] double shear_modulus() const override { return law_.shear_modulus(); }
 
   [[nodiscard]] double elastic_energy(ParticleRange range) const override {
     double energy = 0.0;
     if constexpr (Law::resists_shear) {
-      for (auto i = static_cast<std::size_t>(range.begin); i < static_cast<std::size_t>(range.end); ++i)
-        energy += State::deviator(deviator_ + components * i).squaredNorm() / (4.0 * law_.shear_modulus()) * mass_[i] /
+      for (std::size_t i = range.first(); i < range.last(); ++i)
+        energy += StrainState::deviator(deviator_ + components * i).squaredNorm() / (4.0 * law_.shear_modulus()) * mass_[i] /
                   density_[i];
     }
     return energy;
@@ -67,6 +69,7 @@ class StrengthAtWork final : public StrengthUpdate<D> {
 
  private:
   Law law_;
+  std::string_view name_ = Law::kind().type;
   std::span<const double> mass_, density_;
   double* deviator_ = nullptr;
   double* plastic_strain_ = nullptr;
@@ -85,21 +88,24 @@ class EosAtWork final : public EosUpdate<D> {
   }
 
   void update(ParticleRange range, double* bulk_sound_speed_squared) const override {
-    for (auto i = static_cast<std::size_t>(range.begin); i < static_cast<std::size_t>(range.end); ++i) {
+    for (std::size_t i = range.first(); i < range.last(); ++i) {
       pressure_[i] = law_.pressure(density_[i], 0.0);
       *bulk_sound_speed_squared++ = law_.bulk_sound_speed_squared(density_[i], 0.0);
     }
   }
 
+  [[nodiscard]] std::string_view law() const override { return name_; }
+
   [[nodiscard]] double elastic_energy(ParticleRange range) const override {
     double energy = 0.0;
-    for (auto i = static_cast<std::size_t>(range.begin); i < static_cast<std::size_t>(range.end); ++i)
+    for (std::size_t i = range.first(); i < range.last(); ++i)
       energy += mass_[i] * law_.cold_energy(density_[i]);
     return energy;
   }
 
  private:
   Law law_;
+  std::string_view name_ = Law::kind().type;
   std::span<const double> mass_, density_;
   std::span<double> pressure_;
 };

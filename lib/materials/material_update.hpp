@@ -2,10 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 
 #include "anvil/core/fields.hpp"
+#include "anvil/core/particle_range.hpp"
 #include "anvil/materials/material_tables.hpp"
-#include "anvil/terms/force_term.hpp"
 
 namespace anvil {
 
@@ -21,6 +22,8 @@ class StrengthUpdate {
   /// Brings the deviators of the range to the end of a step of time_step (s) under the velocity gradients (D x D per
   /// particle of the range, 1/s). Returns the plastic work done in the range, J.
   virtual double update(ParticleRange range, const double* velocity_gradient, double time_step) const = 0;
+  [[nodiscard]] virtual std::string_view law() const = 0;
+  [[nodiscard]] virtual bool resists_shear() const = 0;
   [[nodiscard]] virtual double shear_modulus() const = 0;  // Pa
   /// Energy stored by shear in the range, J.
   [[nodiscard]] virtual double elastic_energy(ParticleRange range) const = 0;
@@ -38,6 +41,7 @@ class EosUpdate {
   /// Sets the pressures of the range from its densities and writes the squared speed of sound without shear, m2/s2, per
   /// particle of the range.
   virtual void update(ParticleRange range, double* bulk_sound_speed_squared) const = 0;
+  [[nodiscard]] virtual std::string_view law() const = 0;
   /// Energy stored by compression in the range, J.
   [[nodiscard]] virtual double elastic_energy(ParticleRange range) const = 0;
 };

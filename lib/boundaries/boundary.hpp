@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+
+#include "anvil/core/fields.hpp"
+#include "anvil/core/particle_range.hpp"
+
+namespace anvil {
+
+/// Acts on velocities after kick and filters, before the particles move.
+template <int D>
+class Boundary {
+ public:
+  Boundary() = default;
+  Boundary(const Boundary&) = delete;
+  Boundary& operator=(const Boundary&) = delete;
+  virtual ~Boundary() = default;
+
+  [[nodiscard]] virtual std::string_view name() const = 0;
+  [[nodiscard]] virtual std::string_view purpose() const = 0;
+  /// Changes the velocities of the range (m/s) so that a move of time_step (s) respects the boundary. What it changes is
+  /// the boundary's impulse: the solver keeps the account.
+  virtual void correct_velocities(ParticleRange range, VectorView<D> positions, VectorView<D> velocities,
+                                  double time_step) const = 0;
+  /// True for a position that no particle may take.
+  [[nodiscard]] virtual bool forbids(const Vec<D>& position) const = 0;
+};
+
+}  // namespace anvil

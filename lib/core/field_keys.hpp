@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "anvil/core/fields.hpp"
+
+/// The fields a particle can carry.
+namespace anvil::field {
+
+inline constexpr FieldKey position{"position", "m", "where the particle is"};
+inline constexpr FieldKey initial_position{"initial_position", "m", "where it was at the start; output and comparison"};
+inline constexpr FieldKey velocity{"velocity", "m/s", "at the half step behind the positions (leapfrog)"};
+inline constexpr FieldKey start_velocity{"start_velocity", "m/s", "before the kick; the energy account of filters"};
+inline constexpr FieldKey mass{"mass", "kg", "constant; per unit length of the missing dimensions in 1D and 2D"};
+inline constexpr FieldKey density{"density", "kg/m3", "from the continuity equation"};
+inline constexpr FieldKey smoothing_length{"smoothing_length", "m", "h of the kernel"};
+inline constexpr FieldKey pressure{"pressure", "Pa", "from the equation of state, compression positive"};
+inline constexpr FieldKey deviatoric_stress{"deviatoric_stress", "Pa", "its independent components, tension positive"};
+inline constexpr FieldKey back_stress{"back_stress", "Pa", "centre of the yield surface (kinematic hardening)"};
+inline constexpr FieldKey plastic_strain{"plastic_strain", "", "accumulated equivalent plastic strain"};
+inline constexpr FieldKey listed_position{"listed_position", "m", "position when the neighbour list was made"};
+inline constexpr FieldKey listed_smoothing_length{"listed_smoothing_length", "m", "h when the neighbour list was made"};
+
+}  // namespace anvil::field

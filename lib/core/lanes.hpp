@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Included only by the pair loops, which are compiled once per instruction set (ANVIL_SIMD_LEVEL names it); everything
+// here lives in the namespace of that level, so that no two levels ever share a function.
+
+// Highway asks for AES before it believes in AVX2; no pair loop encrypts anything.
+#ifndef HWY_DISABLE_PCLMUL_AES
+#define HWY_DISABLE_PCLMUL_AES
+#endif
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+#include "anvil/core/inline.hpp"
+#include "anvil/core/lane_math.hpp"
+
+namespace anvil::ANVIL_SIMD_LEVEL {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Lanes of the widest vector of this level.
+inline constexpr int widest = static_cast<int>(HWY_LANES(double));
+
+template <int N>
+struct LaneMask;
+
+/// N doubles worked on at once. Arithmetic is lane by lane; a plain double stands for N equal lanes.
+template <int N>
+struct Lanes {
+  using Tag = hn::CappedTag<double, N>;
+  using Vector = hn::Vec<Tag>;
+  Vector v;
+
+  Lanes() = default;
+  ANVIL_INLINE Lanes(double x) : v(hn::Set(Tag(), x)) {}  // NOLINT(google-explicit-constructor): formulas mix both
+  ANVIL_INLINE explicit Lanes(Vector x) : v(x) {}
+
+  ANVIL_INLINE static Lanes load(const double* p) { return Lanes(hn::LoadU(Tag(), p)); }
+  ANVIL_INLINE void store(double* p) const { hn::StoreU(v, Tag(), p); }
+  ANVIL_INLINE double sum() const { return hn::GetLane(hn::SumOfLanes(Tag(), v)); }
+
+  friend ANVIL_INLINE Lanes operator+(Lanes a, Lanes b) { return Lanes(hn::Add(a.v, b.v)); }
+  friend ANVIL_INLINE Lanes operator-(Lanes a, Lanes b) { return Lanes(hn::Sub(a.v, b.v)); }
+  friend ANVIL_INLINE Lanes operator*(Lanes a, Lanes b) { return Lanes(hn::Mul(a.v, b.v)); }
+  friend ANVIL_INLINE Lanes operator/(Lanes a, Lanes b) { return Lanes(hn::Div(a.v, b.v)); }
+  friend ANVIL_INLINE Lanes operator-(Lanes a) { return Lanes(hn::Neg(a.v)); }
+  friend ANVIL_INLINE Lanes& operator+=(Lanes& a, Lanes b) { return a = a + b; }
+  friend ANVIL_INLINE Lanes& operator-=(Lanes& a, Lanes b) { return a = a - b; }
+  friend ANVIL_INLINE Lanes max(Lanes a, Lanes b) { return Lanes(hn::Max(a.v, b.v)); }
+  friend ANVIL_INLINE Lanes min(Lanes a, Lanes b) { return Lanes(hn::Min(a.v, b.v)); }
+  friend ANVIL_INLINE Lanes sqrt(Lanes a) { return Lanes(hn::Sqrt(a.v)); }
+  friend ANVIL_INLINE Lanes exp(Lanes a) { return Lanes(hn::Exp(Tag(), a.v)); }
+  friend ANVIL_INLINE LaneMask<N> operator<(Lanes a, Lanes b) { return LaneMask<N>{hn::Lt(a.v, b.v)}; }
+  friend ANVIL_INLINE Lanes select(LaneMask<N> mask, Lanes yes, Lanes no) {
+    return Lanes(hn::IfThenElse(mask.m, yes.v, no.v));
+  }
+};
+
+template <int N>
+struct LaneMask {
+  hn::Mask<typename Lanes<N>::Tag> m;
+  /// Bit l is set where lane l holds.
+  [[nodiscard]] ANVIL_INLINE std::uint32_t bits() const {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(typename Lanes<N>::Tag(), m, bytes);
+    return bytes[0];
+  }
+};
+
+/// Fields first .. first+3 of the records of N particles, each field in its own vector: out[f] holds field f of record
+/// index[l] in lane l. A record is `stride` doubles long.
+template <int N>
+ANVIL_INLINE void load_four_fields(const double* records, int stride, const std::int32_t* index, Lanes<N> out[4]) {
+  const auto at = [&](int lane) { return records + static_cast<std::ptrdiff_t>(index[lane]) * stride; };
+  using Tag = typename Lanes<N>::Tag;
+  [[maybe_unused]] const Tag tag;
+#if HWY_TARGET != HWY_SCALAR  // which knows vectors of one lane only
+  if constexpr (N == 8) {
+    const hn::Half<Tag> half;
+    const auto two = [&](int lane) {
+      return hn::Combine(tag, hn::LoadU(half, at(lane + 4)), hn::LoadU(half, at(lane)));
+    };
+    const auto r0 = two(0), r1 = two(1), r2 = two(2), r3 = two(3);
+    const auto ac01 = hn::InterleaveLower(tag, r0, r1), bd01 = hn::InterleaveUpper(tag, r0, r1);
+    const auto ac23 = hn::InterleaveLower(tag, r2, r3), bd23 = hn::InterleaveUpper(tag, r2, r3);
+    out[0].v = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(ac23), ac01);
+    out[1].v = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(bd23), bd01);
+    out[2].v = hn::OddEvenBlocks(ac23, hn::SwapAdjacentBlocks(ac01));
+    out[3].v = hn::OddEvenBlocks(bd23, hn::SwapAdjacentBlocks(bd01));
+  } else if constexpr (N == 4) {
+    const auto r0 = hn::LoadU(tag, at(0)), r1 = hn::LoadU(tag, at(1)), r2 = hn::LoadU(tag, at(2)),
+               r3 = hn::LoadU(tag, at(3));
+    const auto ac01 = hn::InterleaveLower(tag, r0, r1), bd01 = hn::InterleaveUpper(tag, r0, r1);
+    const auto ac23 = hn::InterleaveLower(tag, r2, r3), bd23 = hn::InterleaveUpper(tag, r2, r3);
+    out[0].v = hn::ConcatLowerLower(tag, ac23, ac01);
+    out[1].v = hn::ConcatLowerLower(tag, bd23, bd01);
+    out[2].v = hn::ConcatUpperUpper(tag, ac23, ac01);
+    out[3].v = hn::ConcatUpperUpper(tag, bd23, bd01);
+  } else  // NOLINT(readability-misleading-indentation)
+#endif
+  {
+    double field[N];
+    for (int f = 0; f < 4; ++f) {
+      for (int lane = 0; lane < N; ++lane) field[lane] = at(lane)[f];
+      out[f] = Lanes<N>::load(field);
+    }
+  }
+}
+
+}  // namespace anvil::ANVIL_SIMD_LEVEL

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "anvil/pairs/lane_loop.hpp"
+
+namespace anvil::ANVIL_SIMD_LEVEL {
+
+/// Fills the pairs of a tile: grad_ij = (dW/dr) x_ij / r and, when wanted, W_ij, both at h_ij = (h_i + h_j)/2, which makes
+/// grad_ij = -grad_ji to the last bit.
+template <int D, class Kernel, bool Gradient, bool Value>
+void fill_pairs(const PairTile<D>& tile, const PairRecords<D>& records) {
+  using L = Lanes<lanes<D>>;
+  const L norm(Kernel::normalisation(D));
+  for_each_row(tile, [&](std::int32_t i, std::int64_t begin, std::int64_t end) ANVIL_INLINE_LAMBDA {
+    const double* own = records.geometry[static_cast<std::size_t>(i)];
+    for (std::int64_t k = begin; k < end; k += lanes<D>) {
+      L other[PairRecords<D>::small];
+      load_record(records.geometry, tile.neighbour + k, other);
+      L x_ij[D], r_squared(0.0);
+      for (int a = 0; a < D; ++a) {
+        x_ij[a] = L(own[a]) - other[a];
+        r_squared += x_ij[a] * x_ij[a];
+      }
+      const L h_inverse = L(2.0) / (L(own[D]) + other[D]);
+      const L q = sqrt(r_squared) * h_inverse;
+      L scale = norm * h_inverse;  // norm / h^D
+      for (int a = 1; a < D; ++a) scale = scale * h_inverse;
+      const std::int64_t at = k - tile.first[tile.begin];
+      if constexpr (Value) (scale * Kernel::value(q)).store(tile.value + at);
+      if constexpr (Gradient) {
+        const L factor = scale * h_inverse * h_inverse * Kernel::slope_over_q(q);
+        for (int a = 0; a < D; ++a) (factor * x_ij[a]).store(tile.gradient[static_cast<std::size_t>(a)] + at);
+      }
+    }
+  });
+}
+
+}  // namespace anvil::ANVIL_SIMD_LEVEL

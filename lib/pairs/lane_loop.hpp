@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "anvil/core/lanes.hpp"
+#include "anvil/pairs/records.hpp"
+#include "anvil/pairs/tile.hpp"
+
+#define ANVIL_INLINE_LAMBDA __attribute__((always_inline))
+
+namespace anvil::ANVIL_SIMD_LEVEL {
+
+/// Lanes of the pair loops. In 1D a particle has two to six neighbours: vectors across them would be mostly padding.
+template <int D>
+inline constexpr int lanes = D == 1 ? 1 : (D == 2 && widest > 4 ? 4 : widest);
+
+/// Calls row(i, first pair, end of pairs) for each particle of the tile; a row is a multiple of lanes<D> long.
+template <int D, class Row>
+ANVIL_INLINE void for_each_row(const PairTile<D>& tile, Row&& row) {
+  for (std::int32_t i = tile.begin; i < tile.end; ++i) row(i, tile.first[i], tile.first[i + 1]);
+}
+
+/// The records of the N neighbours from `index` on, field by field.
+template <int N, int Size>
+ANVIL_INLINE void load_record(const Records<Size>& records, const std::int32_t* index, Lanes<N>* out) {
+  if constexpr (Size == 2) {
+    static_assert(N == 1, "short records belong to one dimension");
+    const double* record = records[static_cast<std::size_t>(*index)];
+    out[0] = Lanes<N>(record[0]);
+    out[1] = Lanes<N>(record[1]);
+  } else {
+    for (int f = 0; f < Size; f += 4) load_four_fields<N>(records.raw() + f, Size, index, out + f);
+  }
+}
+
+}  // namespace anvil::ANVIL_SIMD_LEVEL

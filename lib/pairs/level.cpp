@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compiled once per instruction set: the pair loops of one level, handed out as tables of functions. The tables are
+// constants, so that nothing of a level runs before the program has asked the processor what it can do.
+#include "anvil/pairs/collect_loop.hpp"
+#include "anvil/pairs/gradient_loop.hpp"
+#include "anvil/pairs/pair_loops.hpp"
+#include "anvil/terms/momentum_loop.hpp"
+#include "anvil/terms/smoothing_loop.hpp"
+#include "anvil/terms/velocity_gradient_loop.hpp"
+#include "anvil/terms/viscosity_loop.hpp"
+
+namespace anvil::ANVIL_SIMD_LEVEL {
+namespace {
+
+template <int D, std::size_t... Index>
+constexpr auto kernel_loops(std::index_sequence<Index...>) {
+  return std::array<typename PairLoops<D>::KernelLoops, sizeof...(Index)>{{
+      {&fill_pairs<D, std::variant_alternative_t<Index, Kernel>, true, false>,
+       &fill_pairs<D, std::variant_alternative_t<Index, Kernel>, false, true>,
+       &fill_pairs<D, std::variant_alternative_t<Index, Kernel>, true, true>}...}};
+}
+
+template <int D>
+constexpr PairLoops<D> table() {
+  return {.lanes = lanes<D>,
+          .kernels = kernel_loops<D>(std::make_index_sequence<std::variant_size_v<Kernel>>()),
+          .collect = &collect_neighbours<D>,
+          .velocity_gradient = &sum_velocity_gradient<D>,
+          .momentum = &sum_momentum<D>,
+          .viscosity = &sum_viscosity<D>,
+          .plain_smoothing = &sum_plain_smoothing<D>,
+          .pairwise_smoothing = &sum_pairwise_smoothing<D>};
+}
+
+}  // namespace
+
+extern constinit const PairLoops<1> pair_loops_1d = table<1>();
+extern constinit const PairLoops<2> pair_loops_2d = table<2>();
+extern constinit const PairLoops<3> pair_loops_3d = table<3>();
+
+}  // namespace anvil::ANVIL_SIMD_LEVEL

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "anvil/pairs/neighbour_list.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "anvil/core/threads.hpp"
+
+namespace anvil {
+namespace {
+
+constexpr int chunk_size = 256;  // sorted particles per piece of work
+// Coordinates of cells are clamped to this many per axis. Neighbouring cells stay neighbours under clamping, so a
+// particle that has flown out of any bounds costs time, never correctness.
+constexpr std::int64_t cells_per_axis = std::int64_t{1} << 20;
+
+/// Cells along the first axis have consecutive numbers, so three neighbours in a row are one range.
+template <int D>
+std::uint64_t cell_number(const std::array<std::int64_t, D>& cell) {
+  std::uint64_t number = 0;
+  for (std::size_t a = D; a-- > 0;) number = number << 20 | static_cast<std::uint64_t>(cell[a]);
+  return number;
+}
+
+template <int D>
+std::array<std::int64_t, D> cell_coordinates(std::uint64_t number) {
+  std::array<std::int64_t, D> cell{};
+  for (auto& coordinate : cell) {
+    coordinate = static_cast<std::int64_t>(number & static_cast<std::uint64_t>(cells_per_axis - 1));
+    number >>= 20;
+  }
+  return cell;
+}
+
+}  // namespace
+
+template <int D>
+void NeighbourList<D>::build(VectorView<D> positions, std::span<const double> smoothing_length, double reach,
+                             double skin, const PairLoops<D>& loops) {
+  const std::size_t particles = smoothing_length.size();
+  const double longest = particles == 0 ? 1.0 : *std::max_element(smoothing_length.begin(), smoothing_length.end());
+  sort_into_cells(positions, smoothing_length, reach * longest + skin);
+  chunks_.resize((particles + chunk_size - 1) / chunk_size);
+  for_each_parallel(static_cast<int>(chunks_.size()),
+                    [&](int chunk, int /*thread*/) { collect_chunk(chunk, reach, skin, loops); });
+  join_chunks(particles);
+}
+
+template <int D>
+void NeighbourList<D>::sort_into_cells(VectorView<D> positions, std::span<const double> smoothing_length,
+                                       double cell_size) {
+  const std::size_t particles = smoothing_length.size();
+  Vec<D> lowest = Vec<D>::Constant(std::numeric_limits<double>::max());
+  for (std::size_t i = 0; i < particles; ++i) lowest = lowest.cwiseMin(positions[i]);
+  order_.resize(particles);
+  for (std::size_t i = 0; i < particles; ++i) {
+    std::array<std::int64_t, D> cell{};
+    for (int a = 0; a < D; ++a) {
+      const double coordinate = std::min((positions[i][a] - lowest[a]) / cell_size, double(cells_per_axis - 1));
+      cell[static_cast<std::size_t>(a)] = static_cast<std::int64_t>(coordinate);
+    }
+    order_[i] = {cell_number<D>(cell), static_cast<std::int32_t>(i)};
+  }
+  std::sort(order_.begin(), order_.end(), [](const CellOf& a, const CellOf& b) {
+    return a.cell != b.cell ? a.cell < b.cell : a.particle < b.particle;
+  });
+  constexpr std::size_t overrun = 8;  // the loops load whole vectors
+  for (auto& coordinate : sorted_position_) coordinate.assign(particles + overrun, 0.0);
+  sorted_smoothing_length_.assign(particles + overrun, 0.0);
+  sorted_particle_.assign(particles + overrun, 0);
+  for (std::size_t k = 0; k < particles; ++k) {
+    const auto i = static_cast<std::size_t>(order_[k].particle);
+    for (int a = 0; a < D; ++a) sorted_position_[a][k] = positions[i][a];
+    sorted_smoothing_length_[k] = smoothing_length[i];
+    sorted_particle_[k] = order_[k].particle;
+  }
+}
+
+template <int D>
+void NeighbourList<D>::collect_chunk(int chunk, double reach, double skin, const PairLoops<D>& loops) {
+  Chunk& found = chunks_[static_cast<std::size_t>(chunk)];
+  found.neighbours.clear();
+  found.row_length.clear();
+  found.padded_length.clear();
+  Candidates<D> candidates{};
+  for (std::size_t a = 0; a < D; ++a) candidates.position[a] = sorted_position_[a].data();
+  candidates.smoothing_length = sorted_smoothing_length_.data();
+  candidates.particle = sorted_particle_.data();
+
+  const auto particles = static_cast<std::int64_t>(order_.size());
+  const std::int64_t begin = std::int64_t{chunk} * chunk_size, end = std::min(begin + chunk_size, particles);
+  const auto number_less = [](const CellOf& entry, std::uint64_t number) { return entry.cell < number; };
+  constexpr int rows = D == 1 ? 1 : (D == 2 ? 3 : 9);
+  std::array<std::array<std::int64_t, 2>, rows> ranges{};
+  std::uint64_t cell_of_ranges = ~std::uint64_t{0};
+  for (std::int64_t self = begin; self < end; ++self) {
+    const std::uint64_t number = order_[static_cast<std::size_t>(self)].cell;
+    if (number != cell_of_ranges) {  // sorted: many particles share a cell and its surroundings
+      cell_of_ranges = number;
+      for (int row = 0; row < rows; ++row) {
+        auto low = cell_coordinates<D>(number);
+        if constexpr (D > 1) low[1] += row % 3 - 1;
+        if constexpr (D > 2) low[2] += row / 3 - 1;
+        auto& range = ranges[static_cast<std::size_t>(row)];
+        range = {0, 0};
+        if (std::any_of(low.begin(), low.end(), [](std::int64_t c) { return c < 0 || c >= cells_per_axis; })) continue;
+        auto high = low;
+        low[0] = std::max<std::int64_t>(low[0] - 1, 0);
+        high[0] = std::min(high[0] + 1, cells_per_axis - 1);
+        const auto from = std::lower_bound(order_.begin(), order_.end(), cell_number<D>(low), number_less);
+        const auto to = std::lower_bound(from, order_.end(), cell_number<D>(high) + 1, number_less);
+        range = {from - order_.begin(), to - order_.begin()};
+      }
+    }
+    const std::size_t row_start = found.neighbours.size();
+    std::size_t room = 8;
+    for (const auto& range : ranges) room += static_cast<std::size_t>(range[1] - range[0]) + 8;
+    found.neighbours.resize(row_start + room);
+    std::int32_t* out = found.neighbours.data() + row_start;
+    int length = 0;
+    for (const auto& range : ranges)
+      length += loops.collect(candidates, range[0], range[1], self, reach, skin, out + length);
+    int padded = length;
+    while (padded % loops.lanes != 0) out[padded++] = static_cast<std::int32_t>(particles);
+    found.neighbours.resize(row_start + static_cast<std::size_t>(padded));
+    found.row_length.push_back(length);
+    found.padded_length.push_back(padded);
+  }
+}
+
+template <int D>
+void NeighbourList<D>::join_chunks(std::size_t particles) {
+  first_.assign(particles + 1, 0);
+  listed_ = 0;
+  for (std::size_t k = 0; k < particles; ++k) {
+    const Chunk& chunk = chunks_[k / chunk_size];
+    first_[static_cast<std::size_t>(order_[k].particle) + 1] = chunk.padded_length[k % chunk_size];
+    listed_ += chunk.row_length[k % chunk_size];
+  }
+  for (std::size_t i = 0; i < particles; ++i) first_[i + 1] += first_[i];
+  neighbours_.resize(static_cast<std::size_t>(first_[particles]));
+  for_each_parallel(static_cast<int>(chunks_.size()), [&](int c, int /*thread*/) {
+    const auto chunk_index = static_cast<std::size_t>(c);
+    const Chunk& chunk = chunks_[chunk_index];
+    const std::int32_t* source = chunk.neighbours.data();
+    for (std::size_t k = 0; k < chunk.padded_length.size(); ++k) {
+      const auto particle = static_cast<std::size_t>(order_[chunk_index * chunk_size + k].particle);
+      std::copy_n(source, chunk.padded_length[k], neighbours_.data() + first_[particle]);
+      source += chunk.padded_length[k];
+    }
+  });
+}
+
+template <int D>
+std::size_t NeighbourList<D>::bytes() const {
+  return first_.size() * sizeof(std::int64_t) + neighbours_.size() * sizeof(std::int32_t);
+}
+
+template class NeighbourList<1>;
+template class NeighbourList<2>;
+template class NeighbourList<3>;
+
+}  // namespace anvil

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <variant>
+
+#include "anvil/kernels/kernel.hpp"
+#include "anvil/pairs/records.hpp"
+#include "anvil/pairs/tile.hpp"
+#include "anvil/terms/coefficients.hpp"
+
+namespace anvil {
+
+/// Particles in the order of the cell grid, one array per coordinate: what the neighbour search runs over.
+template <int D>
+struct Candidates {
+  std::array<const double*, D> position;
+  const double* smoothing_length;
+  const std::int32_t* particle;
+};
+
+/// The loops over pairs, as compiled for one instruction set. The table is all that crosses between the parts of the
+/// program compiled for this machine and the parts that run on any.
+template <int D>
+struct PairLoops {
+  using Fill = void (*)(const PairTile<D>&, const PairRecords<D>&);
+  struct KernelLoops {
+    Fill gradients, values, both;
+  };
+
+  int lanes;  // rows of the neighbour list are padded to a multiple of it
+  std::array<KernelLoops, std::variant_size_v<Kernel>> kernels;  // by Kernel::index()
+  /// Appends to `out` the candidates begin .. end-1 nearer to `self` than reach (h_self + h_other)/2 + skin, self itself
+  /// left out; returns how many. `out` has room for all of them and `lanes` more.
+  int (*collect)(const Candidates<D>&, std::int64_t begin, std::int64_t end, std::int64_t self, double reach,
+                 double skin, std::int32_t* out);
+  void (*velocity_gradient)(const PairTile<D>&, const PairRecords<D>&, double* out);
+  void (*momentum)(const PairTile<D>&, const PairRecords<D>&, const double* divisor, double* acceleration);
+  void (*viscosity)(const PairTile<D>&, const PairRecords<D>&, const ViscosityCoefficients&, double* acceleration,
+                    double* heating);
+  void (*plain_smoothing)(const PairTile<D>&, const PairRecords<D>&, double* change);
+  void (*pairwise_smoothing)(const PairTile<D>&, const PairRecords<D>&, double* change);
+};
+
+/// The loops for the best instruction set this machine has, chosen at the first call. The environment variable
+/// ANVIL_SIMD (baseline, avx2, avx512) asks for a lesser one; throws InputError when it names one that cannot run here.
+template <int D>
+const PairLoops<D>& pair_loops();
+
+/// Name of the instruction set in use: part of the provenance, since other sets round differently.
+const char* simd_level();
+
+}  // namespace anvil

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace anvil {
+
+/// What pair terms ask the tile to hold beside the gradients.
+struct PairNeeds {
+  bool gradient = false;
+  bool value = false;   // W_ij
+  bool medium = false;  // the record of sound speed, density and mass
+};
+
+/// A run of particles small enough that their pairs stay in the cache while several terms work on them. Pair k of the
+/// tile belongs to the particle i with first[i] <= begin_pair + k < first[i + 1].
+template <int D>
+struct PairTile {
+  std::int32_t begin = 0, end = 0;            // particles
+  const std::int64_t* first = nullptr;        // by particle: its first pair in the list
+  const std::int32_t* neighbour = nullptr;    // the whole list
+  std::array<double*, D> gradient{};          // grad_i W_ij by component, 1/m^(D+1); from pair first[begin]
+  double* value = nullptr;                    // W_ij, 1/m^D; from pair first[begin]
+};
+
+}  // namespace anvil

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "anvil/solver/solver.hpp"
+
+namespace anvil {
+
+template <int D>
+Explanation Solver<D>::explain() const {
+  Explanation explanation;
+  const auto add = [&](std::string_view name, std::string_view purpose) {
+    explanation.terms.push_back({std::string(name), std::string(purpose)});
+  };
+  for (const auto& force : recipe_.forces) add(force->name(), force->purpose());
+  for (const auto& filter : recipe_.filters) add(filter->name(), filter->purpose());
+  for (const auto& boundary : recipe_.boundaries) add(boundary->name(), boundary->purpose());
+  add("velocity_gradient", "d v_a / d x_b from velocity differences");
+  add("continuity", smoothing_length_varies_ ? "density and smoothing length follow the divergence"
+                                             : "density follows the divergence");
+  for (const auto& body : recipe_.bodies) {
+    const std::string of_body = " of body '" + body.name + "'";
+    if (body.strength->resists_shear()) add("strength", std::string(body.strength->law()) + of_body);
+    add("equation_of_state", std::string(body.eos->law()) + of_body);
+  }
+
+  const auto doubles = [](int count) { return count * static_cast<int>(sizeof(double)); };
+  for (const auto& field : fields_.fields())
+    explanation.fields.push_back({std::string(field.key->name), std::string(field.key->unit),
+                                  doubles(field.components), std::string(field.key->purpose)});
+  const auto add_record = [&](const char* name, int size, const char* purpose) {
+    explanation.fields.push_back({name, "", doubles(size), purpose});
+  };
+  add_record("geometry record", PairRecords<D>::small, "position and smoothing length, packed for the pair loops");
+  add_record("motion record", PairRecords<D>::small, "velocity and volume, packed for the pair loops");
+  add_record("traction record", PairRecords<D>::large, "stress and weight, packed for the pair loops");
+  if (medium_needed_) add_record("medium record", 4, "sound speed, density and mass, packed for the pair loops");
+
+  explanation.particles = particle_count();
+  for (const auto& field : explanation.fields) explanation.bytes_per_particle += field.bytes_per_particle;
+  if (particle_count() > 0) {
+    const auto particles = static_cast<double>(particle_count());
+    explanation.neighbours_per_particle = static_cast<double>(count_pairs()) / particles;
+    explanation.bytes_per_particle += static_cast<int>(std::lround(static_cast<double>(neighbours_.bytes()) / particles));
+    explanation.first_time_step = step_limit_;
+    explanation.steps_expected = static_cast<std::int64_t>(std::ceil((scene_.time.end - time_) / step_limit_));
+  }
+  return explanation;
+}
+
+/// Ordered pairs whose distance is within the support of their kernel.
+template <int D>
+std::int64_t Solver<D>::count_pairs() const {
+  std::int64_t pairs = 0;
+  for (std::size_t i = 0; i < particle_count(); ++i) {
+    for (std::int64_t k = neighbours_.row_begin(i); k < neighbours_.row_end(i); ++k) {
+      const auto j = static_cast<std::size_t>(neighbours_.neighbours()[k]);
+      if (j == particle_count()) break;  // padding
+      const double reach = 0.5 * recipe_.support * (smoothing_length_[i] + smoothing_length_[j]);
+      if ((position_[i] - position_[j]).squaredNorm() < reach * reach) ++pairs;
+    }
+  }
+  return pairs;
+}
+
+template Explanation Solver<1>::explain() const;
+template Explanation Solver<2>::explain() const;
+template Explanation Solver<3>::explain() const;
+
+}  // namespace anvil

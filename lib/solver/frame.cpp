@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "anvil/core/field_keys.hpp"
+#include "anvil/materials/strain_state.hpp"
+#include "anvil/solver/solver.hpp"
+
+namespace anvil {
+namespace {
+
+FrameArray array_of(const FieldKey& key, int components, std::size_t particles) {
+  return {std::string(key.name), std::string(key.unit), components, false,
+          std::vector<double>(particles * static_cast<std::size_t>(components), 0.0)};
+}
+
+template <int D>
+std::vector<double> padded(VectorView<D> vectors, std::size_t particles) {
+  std::vector<double> values(3 * particles, 0.0);
+  for (std::size_t i = 0; i < particles; ++i)
+    for (std::size_t a = 0; a < D; ++a) values[3 * i + a] = vectors.raw()[D * i + a];
+  return values;
+}
+
+void write_six(const Tensor& tensor, double* out) { FullStrain::store(tensor, out); }
+
+}  // namespace
+
+template <int D>
+Frame Solver<D>::frame() const {
+  using StrainState = typename StrainStateOf<D>::Type;
+  const std::size_t particles = fields_.particle_count();
+  Frame frame;
+  frame.scene = scene_.name;
+  frame.time = time_;
+  frame.step = step_;
+  frame.dimension = D;
+  frame.positions = padded(position_, particles);
+
+  FrameArray id{"particle_id", "", 1, true, std::vector<double>(particles)};
+  FrameArray body{"body", "", 1, true, std::vector<double>(particles)};
+  for (std::size_t i = 0; i < particles; ++i) id.values[i] = static_cast<double>(i);
+  for (std::size_t b = 0; b < ranges_.size(); ++b)
+    std::fill(body.values.begin() + ranges_[b].begin, body.values.begin() + ranges_[b].end, static_cast<double>(b));
+
+  FrameArray initial{"initial_position", "m", 3, false, padded(initial_position_, particles)};
+  FrameArray velocity{"velocity", "m/s", 3, false, padded(velocity_, particles)};
+  FrameArray density = array_of(field::density, 1, particles), pressure = array_of(field::pressure, 1, particles);
+  FrameArray smoothing_length = array_of(field::smoothing_length, 1, particles);
+  std::copy(density_.begin(), density_.end(), density.values.begin());
+  std::copy(pressure_.begin(), pressure_.end(), pressure.values.begin());
+  std::copy(smoothing_length_.begin(), smoothing_length_.end(), smoothing_length.values.begin());
+
+  FrameArray stress{"stress", "Pa", 6, false, std::vector<double>(6 * particles)};
+  FrameArray deviatoric = array_of(field::deviatoric_stress, 6, particles);
+  const double* stored = nullptr;
+  for (const auto& field : fields_.fields())
+    if (field.key->name == field::deviatoric_stress.name) stored = field.values.data();
+  for (std::size_t i = 0; i < particles; ++i) {
+    const Tensor deviator =
+        stored == nullptr ? Tensor(Tensor::Zero()) : StrainState::deviator(stored + StrainState::components * i);
+    write_six(deviator, &deviatoric.values[6 * i]);
+    write_six(deviator - pressure_[i] * Tensor::Identity(), &stress.values[6 * i]);
+  }
+  frame.arrays = {std::move(id),       std::move(body),     std::move(initial), std::move(velocity),
+                  std::move(density),  std::move(pressure), std::move(stress),  std::move(smoothing_length)};
+  if (fields_.has(field::plastic_strain)) {
+    FrameArray plastic_strain = array_of(field::plastic_strain, 1, particles);
+    const auto values = fields_.scalar(field::plastic_strain);
+    std::copy(values.begin(), values.end(), plastic_strain.values.begin());
+    frame.arrays.push_back(std::move(plastic_strain));
+  }
+  const auto& wanted = scene_.output.fields;
+  if (std::find(wanted.begin(), wanted.end(), field::deviatoric_stress.name) != wanted.end())
+    frame.arrays.push_back(std::move(deviatoric));
+  return frame;
+}
+
+template Frame Solver<1>::frame() const;
+template Frame Solver<2>::frame() const;
+template Frame Solver<3>::frame() const;
+
+}  // namespace anvil

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "anvil/solver/recipe.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "anvil/boundaries/rigid_wall.hpp"
+#include "anvil/core/field_keys.hpp"
+#include "anvil/materials/material_tables.hpp"
+#include "anvil/scene/placement.hpp"
+#include "anvil/terms/conservative_smoothing.hpp"
+#include "anvil/terms/momentum.hpp"
+#include "anvil/terms/viscosity.hpp"
+
+namespace anvil {
+namespace {
+
+const MaterialDescription& material_of(const Scene& scene, const BodyDescription& body) {
+  const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
+                                  [&](const MaterialDescription& material) { return material.name == body.material; });
+  if (found == scene.materials.end())
+    throw InputError("body '" + body.name + "' names material '" + body.material + "', which the scene does not define");
+  return *found;
+}
+
+template <int D>
+Vec<D> vector_of(const std::vector<double>& components) {
+  // A single number stands for the same number in each component, as in the schema's default of zero.
+  Vec<D> vector;
+  for (int a = 0; a < D; ++a)
+    vector[a] = components.size() == 1 ? components[0] : components[static_cast<std::size_t>(a)];
+  return vector;
+}
+
+/// c_e = sqrt((K + 4 G / 3) / rho) of the unloaded material, m/s.
+template <int D>
+double elastic_wave_speed(const MaterialDescription& material) {
+  const double bulk = std::visit([&](const auto& eos) { return eos.bulk_sound_speed_squared(material.density, 0.0); },
+                                 make_eos(material.eos, material.density));
+  const double shear =
+      std::visit([](const auto& law) { return law.shear_modulus(); }, make_strength(material.strength));
+  return std::sqrt(bulk + 4.0 / 3.0 * shear / material.density);
+}
+
+template <int D>
+void add_forces(const Scene& scene, FieldStore& fields, Recipe<D>& recipe) {
+  const MomentumForm form = scene.discretisation.momentum_form == "density_squared" ? MomentumForm::density_squared
+                                                                                    : MomentumForm::sum;
+  recipe.forces.push_back(std::make_unique<Momentum<D>>(fields, form));
+  if (scene.shock.method == "artificial_viscosity") {
+    const ViscosityCoefficients coefficients{.linear = scene.shock.linear_coefficient,
+                                             .quadratic = scene.shock.quadratic_coefficient};
+    recipe.forces.push_back(std::make_unique<Viscosity<D>>(coefficients));
+  }
+}
+
+template <int D>
+void add_filters(const Scene& scene, Recipe<D>& recipe) {
+  if (scene.stabiliser.conservative_smoothing <= 0.0) return;
+  SmoothingForm form = SmoothingForm::plain;
+  if (scene.stabiliser.smoothing_form == "pairwise") form = SmoothingForm::pairwise;
+  if (scene.stabiliser.smoothing_form == "scaled") form = SmoothingForm::scaled;
+  double fastest = 0.0;
+  for (const auto& material : scene.materials) fastest = std::max(fastest, elastic_wave_speed<D>(material));
+  // The step of the printed rule for the unloaded material at rest, at the paper's factor 0.3.
+  const double reference_step = 0.3 * scene.discretisation.smoothing_ratio * scene.discretisation.spacing / fastest;
+  recipe.filters.push_back(std::make_unique<ConservativeSmoothing<D>>(
+      form, scene.stabiliser.conservative_smoothing, reference_step));
+}
+
+template <int D>
+void add_boundaries(const Scene& scene, Recipe<D>& recipe) {
+  for (const auto& boundary : scene.boundaries) {
+    if (boundary.entry.type != "rigid_wall")
+      throw InputError("boundary '" + boundary.name + "' has type '" + boundary.entry.type + "', which no solver knows");
+    const Parameters& parameters = boundary.entry.parameters;
+    recipe.boundaries.push_back(std::make_unique<RigidWall<D>>(
+        vector_of<D>(parameters.numbers("point")), vector_of<D>(parameters.numbers("normal")).normalized(),
+        0.5 * scene.discretisation.spacing));
+  }
+}
+
+template <class Terms>
+PairNeeds needs_of(const Terms& terms) {
+  PairNeeds needs;
+  for (const auto& term : terms) {
+    needs.gradient |= term->needs().gradient;
+    needs.value |= term->needs().value;
+    needs.medium |= term->needs().medium;
+  }
+  return needs;
+}
+
+}  // namespace
+
+template <int D>
+FieldStore place_particles(const Scene& scene, std::vector<ParticleRange>& ranges) {
+  std::vector<PlacedBody<D>> placed;
+  std::size_t particles = 0;
+  for (const auto& body : scene.bodies) {
+    placed.push_back(place_body<D>(body, scene.discretisation.spacing));
+    const std::size_t begin = particles;
+    particles += placed.back().positions.size();
+    ranges.push_back({static_cast<std::int32_t>(begin), static_cast<std::int32_t>(particles)});
+  }
+  FieldStore fields(particles);
+  for (const FieldKey* key : {&field::position, &field::initial_position, &field::velocity}) fields.require(*key, D);
+  for (const FieldKey* key : {&field::mass, &field::density, &field::smoothing_length}) fields.require(*key);
+  for (std::size_t b = 0; b < placed.size(); ++b) {
+    const double density = material_of(scene, scene.bodies[b]).density;
+    const Vec<D> velocity = vector_of<D>(scene.bodies[b].velocity);
+    for (std::size_t i = ranges[b].first(); i < ranges[b].last(); ++i) {
+      const std::size_t local = i - ranges[b].first();
+      fields.vector<D>(field::position)[i] = placed[b].positions[local];
+      fields.vector<D>(field::initial_position)[i] = placed[b].positions[local];
+      fields.vector<D>(field::velocity)[i] = velocity;
+      fields.scalar(field::mass)[i] = density * placed[b].volumes[local];
+      fields.scalar(field::density)[i] = density;
+      fields.scalar(field::smoothing_length)[i] = scene.discretisation.smoothing_ratio * scene.discretisation.spacing;
+    }
+  }
+  return fields;
+}
+
+template <int D>
+Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& ranges, FieldStore& fields) {
+  Recipe<D> recipe;
+  recipe.kernel = make_kernel(scene.discretisation.kernel);
+  recipe.support = std::visit([](const auto& kernel) { return kernel.support; }, recipe.kernel);
+  recipe.variable_smoothing_length = scene.discretisation.variable_smoothing_length;
+  for (std::size_t b = 0; b < ranges.size(); ++b) {
+    const MaterialDescription& material = material_of(scene, scene.bodies[b]);
+    recipe.bodies.push_back({scene.bodies[b].name, ranges[b],
+                             make_strength_update<D>(make_strength(material.strength), fields),
+                             make_eos_update<D>(make_eos(material.eos, material.density), fields)});
+  }
+  add_forces(scene, fields, recipe);
+  add_filters(scene, recipe);
+  add_boundaries(scene, recipe);
+  recipe.force_needs = needs_of(recipe.forces);
+  recipe.filter_needs = needs_of(recipe.filters);
+  return recipe;
+}
+
+template FieldStore place_particles<1>(const Scene&, std::vector<ParticleRange>&);
+template FieldStore place_particles<2>(const Scene&, std::vector<ParticleRange>&);
+template FieldStore place_particles<3>(const Scene&, std::vector<ParticleRange>&);
+template Recipe<1> make_recipe<1>(const Scene&, const std::vector<ParticleRange>&, FieldStore&);
+template Recipe<2> make_recipe<2>(const Scene&, const std::vector<ParticleRange>&, FieldStore&);
+template Recipe<3> make_recipe<3>(const Scene&, const std::vector<ParticleRange>&, FieldStore&);
+
+}  // namespace anvil

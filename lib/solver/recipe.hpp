@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "anvil/boundaries/boundary.hpp"
+#include "anvil/kernels/kernel.hpp"
+#include "anvil/materials/material_update.hpp"
+#include "anvil/scene/scene.hpp"
+#include "anvil/terms/force_term.hpp"
+#include "anvil/terms/velocity_filter.hpp"
+
+namespace anvil {
+
+/// A body in the solver: a contiguous range of particles and the laws of its material.
+template <int D>
+struct Body {
+  std::string name;
+  ParticleRange range;
+  std::unique_ptr<StrengthUpdate<D>> strength;
+  std::unique_ptr<EosUpdate<D>> eos;
+};
+
+/// What a step of a scene is made of, in order. Nothing in it knows the names of the scene's models any more.
+template <int D>
+struct Recipe {
+  Kernel kernel;
+  double support = 0.0;  // of the kernel, in smoothing lengths
+  bool variable_smoothing_length = true;
+  std::vector<Body<D>> bodies;
+  std::vector<std::unique_ptr<ForceTerm<D>>> forces;
+  std::vector<std::unique_ptr<VelocityFilter<D>>> filters;
+  std::vector<std::unique_ptr<Boundary<D>>> boundaries;
+  PairNeeds force_needs, filter_needs;
+};
+
+/// Places the bodies of a scene and fills the fields every scene has: position, velocity, mass, density, smoothing length.
+template <int D>
+FieldStore place_particles(const Scene& scene, std::vector<ParticleRange>& ranges);
+
+/// Translates a scene into a recipe: the only place that knows the names of models. Throws InputError when a choice cannot
+/// work with another.
+template <int D>
+Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& ranges, FieldStore& fields);
+
+}  // namespace anvil

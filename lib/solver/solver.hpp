@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "anvil/pairs/neighbour_list.hpp"
+#include "anvil/solver/recipe.hpp"
+#include "anvil/solver/simulation.hpp"
+
+namespace anvil {
+
+/// What one tile did in one pass; added up in the order of the tiles, so that sums do not depend on threads.
+template <int D>
+struct TileReport {
+  double plastic_work = 0.0;                              // J
+  double viscous_loss = 0.0;                              // J
+  double smoothing_loss = 0.0;                            // J
+  Vec<D> smoothing_impulse = Vec<D>::Zero();              // N s
+  double wall_loss = 0.0;                                 // J
+  Vec<D> wall_impulse = Vec<D>::Zero();                   // N s, on the particles
+  Vec<D> least_displacement, greatest_displacement;       // m, since the neighbour list was made
+  double greatest_growth = 0.0;                           // m, of smoothing lengths since then
+  double step_limit = std::numeric_limits<double>::max();  // s
+  std::int32_t limiting_particle = -1;
+  std::int32_t broken_particle = -1;  // the first whose numbers are no longer any, or that went where none may
+};
+
+/// What left the bodies or changed its kind since the start.
+template <int D>
+struct Ledger {
+  double plastic_work = 0.0;                  // J
+  double viscous_loss = 0.0;                  // J
+  double smoothing_loss = 0.0;                // J
+  double wall_loss = 0.0;                     // J
+  Vec<D> smoothing_impulse = Vec<D>::Zero();  // N s
+  Vec<D> wall_impulse = Vec<D>::Zero();       // N s
+  double start_energy = 0.0;                  // J
+  Vec<D> start_momentum = Vec<D>::Zero();     // N s
+};
+
+/// A scene of D dimensions in motion. Between steps the positions, densities and stresses belong to time(), the
+/// velocities to half a step before it.
+template <int D>
+class Solver final : public Simulation {
+ public:
+  explicit Solver(const Scene& scene);
+
+  [[nodiscard]] double time() const override { return time_; }
+  [[nodiscard]] double last_time_step() const override { return time_step_; }
+  [[nodiscard]] std::int64_t step() const override { return step_; }
+  [[nodiscard]] std::size_t particle_count() const override { return fields_.particle_count(); }
+  void advance(double latest) override;
+  [[nodiscard]] Frame frame() const override;
+  [[nodiscard]] std::vector<AuditValue> audit() const override;
+  [[nodiscard]] Explanation explain() const override;
+  [[nodiscard]] State state() const override;
+  void restore(const State& state) override;
+
+ private:
+  struct Tile {
+    ParticleRange range;
+    int body;
+  };
+  struct Scratch {  // of one thread
+    std::vector<double> gradient[D], value;
+    std::vector<double> per_particle;  // velocity gradients, accelerations or changes of the tile
+    std::vector<double> loss, sound_speed;
+  };
+
+  // step.cpp, in the order of a step
+  double choose_time_step(double latest) const;
+  void accelerate(double kick);
+  void filter_velocities(double time_step);
+  void move(double time_step);
+  void refresh_neighbours();
+  void strain(double time_step);
+
+  void accelerate_tile(const Tile& tile, Scratch& scratch, double kick, TileReport<D>& report);
+  void filter_tile(const Tile& tile, const VelocityFilter<D>& filter, Scratch& scratch, double time_step,
+                   TileReport<D>& report);
+  void move_tile(const Tile& tile, double time_step, TileReport<D>& report);
+  void apply_boundaries(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
+  void strain_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
+  void update_density(ParticleRange range, const double* velocity_gradient, double time_step);
+  void pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report);
+
+  // tiles.cpp
+  template <class Work>
+  void for_each_tile(Work&& work);
+  PairTile<D> open_tile(const Tile& tile, Scratch& scratch, PairNeeds needs) const;
+  void make_tiles();
+  void size_scratch();
+  void pack_geometry(ParticleRange range);
+  void pack_motion(ParticleRange range);
+  void pad_records();
+  void list_neighbours();
+
+  // guards.cpp
+  void check_reports() const;
+  [[noreturn]] void stop_at(std::int32_t particle, const std::string& reason) const;
+
+  // audit.cpp
+  double kinetic_energy() const;
+  double elastic_energy() const;
+  Vec<D> momentum() const;
+  double minimum_pair_distance() const;
+
+  // explain.cpp
+  std::int64_t count_pairs() const;
+
+  Scene scene_;
+  std::vector<ParticleRange> ranges_;
+  FieldStore fields_;
+  Recipe<D> recipe_;
+  const PairLoops<D>& loops_;
+  typename PairLoops<D>::KernelLoops kernel_loops_;
+  NeighbourList<D> neighbours_;
+  PairRecords<D> records_;
+  std::vector<Tile> tiles_;
+  std::vector<TileReport<D>> reports_;
+  std::vector<Scratch> scratch_;
+  bool medium_needed_ = false;
+  bool smoothing_length_varies_ = true;
+
+  VectorView<D> position_, initial_position_, velocity_, listed_position_;
+  VectorView<D> start_velocity_;  // only with filters
+  std::span<double> mass_, density_, smoothing_length_, pressure_;
+  std::span<double> listed_smoothing_length_;  // empty while h is constant
+
+  double skin_ = 0.0;  // m
+  double time_ = 0.0, time_step_ = 0.0, step_limit_ = 0.0, first_step_limit_ = 0.0;
+  std::int32_t limiting_particle_ = -1;
+  std::int64_t step_ = 0, list_builds_ = 0;
+  Ledger<D> ledger_;
+};
+
+}  // namespace anvil

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One step, from top to bottom. It starts with the forces of the present configuration and ends with the stress of the
+// next one, so that frames and checkpoints taken between steps hold positions, densities and stresses of one time.
+#include <algorithm>
+#include <cmath>
+
+#include "anvil/core/field_keys.hpp"
+#include "anvil/solver/tiles.hpp"
+
+namespace anvil {
+
+template <int D>
+void Solver<D>::advance(double latest) {
+  const double time_step = choose_time_step(latest);
+  accelerate(0.5 * (time_step_ + time_step));  // leapfrog: from the middle of the last step to that of this one
+  filter_velocities(time_step);
+  move(time_step);
+  refresh_neighbours();
+  strain(time_step);
+  time_step_ = time_step;
+  time_ = time_step < latest - time_ ? time_ + time_step : latest;
+  ++step_;
+  check_reports();
+}
+
+/// The printed rule, cut so that `latest` is met without a last step that is a mere splinter.
+template <int D>
+double Solver<D>::choose_time_step(double latest) const {
+  const double left = latest - time_;
+  if (left <= step_limit_) return left;
+  return left < 2.0 * step_limit_ ? 0.5 * left : step_limit_;
+}
+
+template <int D>
+void Solver<D>::accelerate(double kick) {
+  for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) {
+    pack_geometry(tile.range);
+    pack_motion(tile.range);
+  });
+  for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+    accelerate_tile(tile, scratch, kick, report);
+  });
+  for (const auto& report : reports_) ledger_.viscous_loss += report.viscous_loss;
+}
+
+template <int D>
+void Solver<D>::accelerate_tile(const Tile& tile, Scratch& scratch, double kick, TileReport<D>& report) {
+  const PairTile<D> pairs = open_tile(tile, scratch, recipe_.force_needs);
+  double* acceleration = scratch.per_particle.data();
+  std::fill_n(acceleration, tile.range.count() * D, 0.0);
+  std::fill_n(scratch.loss.data(), tile.range.count(), 0.0);
+  for (const auto& force : recipe_.forces) force->accumulate(pairs, records_, acceleration, scratch.loss.data());
+  report.viscous_loss = 0.0;
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
+    const std::size_t local = i - tile.range.first();
+    if (!recipe_.filters.empty()) start_velocity_[i] = velocity_[i];
+    for (std::size_t a = 0; a < D; ++a) velocity_.raw()[i * D + a] += kick * acceleration[local * D + a];
+    report.viscous_loss += kick * mass_[i] * scratch.loss[local];
+  }
+}
+
+template <int D>
+void Solver<D>::filter_velocities(double time_step) {
+  for (const auto& filter : recipe_.filters) {
+    // A filter reads the neighbours' velocities of before it: from the records, while it writes the fields.
+    for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) { pack_motion(tile.range); });
+    for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+      filter_tile(tile, *filter, scratch, time_step, report);
+    });
+    for (const auto& report : reports_) {
+      ledger_.smoothing_loss += report.smoothing_loss;
+      ledger_.smoothing_impulse += report.smoothing_impulse;
+    }
+  }
+}
+
+// Energy account. Forces, filters and boundaries each give a particle an impulse in the step from one half time to the
+// next. The work of an impulse is its product with the mean of the velocities before and after all of them: only then do
+// the parts add up to the change of kinetic energy, and is the work of the stresses the one that strains the material.
+
+template <int D>
+void Solver<D>::filter_tile(const Tile& tile, const VelocityFilter<D>& filter, Scratch& scratch, double time_step,
+                            TileReport<D>& report) {
+  const PairTile<D> pairs = open_tile(tile, scratch, filter.needs());
+  const double* change = scratch.per_particle.data();
+  filter.change(pairs, records_, time_step, scratch.per_particle.data());
+  report.smoothing_loss = 0.0;
+  report.smoothing_impulse = Vec<D>::Zero();
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i, change += D) {
+    const Eigen::Map<const Vec<D>> step(change);
+    velocity_[i] += step;
+    report.smoothing_loss -= 0.5 * mass_[i] * step.dot(start_velocity_[i] + velocity_[i]);
+    report.smoothing_impulse += mass_[i] * step;
+  }
+}
+
+template <int D>
+void Solver<D>::move(double time_step) {
+  for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+    if (!recipe_.boundaries.empty()) apply_boundaries(tile, scratch, time_step, report);
+    move_tile(tile, time_step, report);
+  });
+  for (const auto& report : reports_) {
+    ledger_.wall_impulse += report.wall_impulse;
+    ledger_.wall_loss += report.wall_loss;
+  }
+  check_reports();  // before the neighbour search meets a position that is none
+}
+
+template <int D>
+void Solver<D>::apply_boundaries(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
+  double* before = scratch.per_particle.data();
+  std::copy_n(velocity_.raw() + tile.range.first() * D, tile.range.count() * D, before);
+  for (const auto& boundary : recipe_.boundaries)
+    boundary->correct_velocities(tile.range, position_, velocity_, time_step);
+  report.wall_loss = 0.0;
+  report.wall_impulse = Vec<D>::Zero();
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i, before += D) {
+    const Eigen::Map<const Vec<D>> incoming(before);
+    const Vec<D> change = velocity_[i] - incoming;
+    if (change.isZero(0.0)) continue;
+    // The records still hold the velocities that the filter read; without filters, those before the kick.
+    const Eigen::Map<const Vec<D>> recorded(records_.motion[i]);
+    Vec<D> twice_mean = velocity_[i];
+    if (recipe_.filters.empty()) twice_mean += recorded;
+    else twice_mean += start_velocity_[i] + (incoming - recorded);  // the filter's mean lacked this impulse
+    report.wall_loss -= 0.5 * mass_[i] * change.dot(twice_mean);
+    report.wall_impulse += mass_[i] * change;
+  }
+}
+
+template <int D>
+void Solver<D>::move_tile(const Tile& tile, double time_step, TileReport<D>& report) {
+  report.least_displacement.setConstant(std::numeric_limits<double>::max());
+  report.greatest_displacement = -report.least_displacement;
+  report.greatest_growth = 0.0;
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
+    position_[i] += time_step * velocity_[i];
+    const Vec<D> displacement = position_[i] - listed_position_[i];
+    report.least_displacement = report.least_displacement.cwiseMin(displacement);
+    report.greatest_displacement = report.greatest_displacement.cwiseMax(displacement);
+    if (smoothing_length_varies_)
+      report.greatest_growth = std::max(report.greatest_growth, smoothing_length_[i] - listed_smoothing_length_[i]);
+    bool broken = !std::isfinite(position_[i].sum());
+    for (const auto& boundary : recipe_.boundaries) broken = broken || boundary->forbids(position_[i]);
+    if (broken && report.broken_particle < 0) report.broken_particle = static_cast<std::int32_t>(i);
+  }
+}
+
+/// The list stays complete while no pair has come nearer by more than the skin. How far two particles can have approached
+/// is bounded by the box around all displacements, which does not grow when everything moves alike.
+template <int D>
+void Solver<D>::refresh_neighbours() {
+  if (reports_.empty()) return;
+  Vec<D> least = reports_[0].least_displacement, greatest = reports_[0].greatest_displacement;
+  double growth = 0.0;
+  for (const auto& report : reports_) {
+    least = least.cwiseMin(report.least_displacement);
+    greatest = greatest.cwiseMax(report.greatest_displacement);
+    growth = std::max(growth, report.greatest_growth);
+  }
+  if ((greatest - least).norm() + recipe_.support * growth > skin_) list_neighbours();
+}
+
+template <int D>
+void Solver<D>::strain(double time_step) {
+  for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) {
+    pack_geometry(tile.range);
+    pack_motion(tile.range);
+  });
+  for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+    strain_tile(tile, scratch, time_step, report);
+  });
+  step_limit_ = std::numeric_limits<double>::max();
+  for (const auto& report : reports_) {
+    ledger_.plastic_work += report.plastic_work;
+    if (report.step_limit < step_limit_) {
+      step_limit_ = report.step_limit;
+      limiting_particle_ = report.limiting_particle;
+    }
+  }
+}
+
+template <int D>
+void Solver<D>::strain_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
+  const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];
+  double* velocity_gradient = scratch.per_particle.data();
+  report.plastic_work = 0.0;
+  if (time_step > 0.0) {
+    loops_.velocity_gradient(open_tile(tile, scratch, {.gradient = true}), records_, velocity_gradient);
+    update_density(tile.range, velocity_gradient, time_step);
+    report.plastic_work = body.strength->update(tile.range, velocity_gradient, time_step);
+  }
+  body.eos->update(tile.range, scratch.sound_speed.data());
+  for (const auto& force : recipe_.forces) force->pack(tile.range, records_);
+  pack_limit_and_check(tile, scratch.sound_speed.data(), report);
+}
+
+/// drho/dt = -rho div v and dh/dt = (h/d) div v over one step, by the midpoint rule.
+template <int D>
+void Solver<D>::update_density(ParticleRange range, const double* velocity_gradient, double time_step) {
+  for (std::size_t i = range.first(); i < range.last(); ++i, velocity_gradient += D * D) {
+    double divergence = 0.0;
+    for (int a = 0; a < D; ++a) divergence += velocity_gradient[a * (D + 1)];
+    const double half = 0.5 * time_step * divergence;
+    density_[i] *= (1.0 - half) / (1.0 + half);
+    if (smoothing_length_varies_) smoothing_length_[i] *= (1.0 + half / D) / (1.0 - half / D);
+  }
+}
+
+/// The time step rule dt = cfl h / (c + |v|), c the longitudinal wave speed (Long 2007, equation 12).
+template <int D>
+void Solver<D>::pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared,
+                                     TileReport<D>& report) {
+  const double shear_modulus = recipe_.bodies[static_cast<std::size_t>(tile.body)].strength->shear_modulus();
+  report.step_limit = std::numeric_limits<double>::max();
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
+    const double wave_speed = std::sqrt(*bulk_sound_speed_squared++ + 4.0 / 3.0 * shear_modulus / density_[i]);
+    const double limit = scene_.time.cfl * smoothing_length_[i] / (wave_speed + velocity_[i].norm());
+    if (medium_needed_) {
+      double* medium = records_.medium[i];
+      medium[0] = wave_speed;
+      medium[1] = density_[i];
+      medium[2] = mass_[i];
+    }
+    const bool sound = density_[i] > 0.0 && smoothing_length_[i] > 0.0 && limit > 0.0 && std::isfinite(pressure_[i]);
+    if (!sound && report.broken_particle < 0) report.broken_particle = static_cast<std::int32_t>(i);
+    if (limit < report.step_limit) {
+      report.step_limit = limit;
+      report.limiting_particle = static_cast<std::int32_t>(i);
+    }
+  }
+}
+
+template void Solver<1>::advance(double);
+template void Solver<2>::advance(double);
+template void Solver<3>::advance(double);
+template void Solver<1>::strain(double);
+template void Solver<2>::strain(double);
+template void Solver<3>::strain(double);
+
+}  // namespace anvil

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "anvil/core/threads.hpp"
+#include "anvil/solver/solver.hpp"
+
+namespace anvil {
+
+/// work(tile, scratch of the thread, report of the tile) for all tiles, spread over the threads.
+template <int D>
+template <class Work>
+void Solver<D>::for_each_tile(Work&& work) {
+  for_each_parallel(static_cast<int>(tiles_.size()), [&](int tile, int thread) {
+    const auto index = static_cast<std::size_t>(tile);
+    work(tiles_[index], scratch_[static_cast<std::size_t>(thread)], reports_[index]);
+  });
+}
+
+}  // namespace anvil

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "anvil/pairs/lane_loop.hpp"
+
+namespace anvil::ANVIL_SIMD_LEVEL {
+
+/// Column b of row a in the packed symmetric tensor of D dimensions (XX YY ZZ XY YZ XZ and its parts).
+template <int D>
+ANVIL_INLINE constexpr int packed_index(int a, int b) {
+  if (a == b) return a;
+  if constexpr (D == 2) return 2;
+  return a + b == 1 ? 3 : (a + b == 3 ? 4 : 5);
+}
+
+/// acceleration_i += (1/divisor_i) sum_j w_j (T_i + T_j) . grad_ij, with T and w as the traction records hold them;
+/// D per particle of the tile, m/s2. Without a divisor the sum is taken as it is.
+template <int D>
+void sum_momentum(const PairTile<D>& tile, const PairRecords<D>& records, const double* divisor, double* acceleration) {
+  using L = Lanes<lanes<D>>;
+  constexpr int weight = symmetric_components<D>;
+  for_each_row(tile, [&](std::int32_t i, std::int64_t begin, std::int64_t end) ANVIL_INLINE_LAMBDA {
+    const double* own = records.traction[static_cast<std::size_t>(i)];
+    L sum[D];
+    for (auto& component : sum) component = L(0.0);
+    for (std::int64_t k = begin; k < end; k += lanes<D>) {
+      L other[PairRecords<D>::large];
+      load_record(records.traction, tile.neighbour + k, other);
+      const std::int64_t at = k - tile.first[tile.begin];
+      L tensor[symmetric_components<D>], grad[D];
+      for (int c = 0; c < symmetric_components<D>; ++c) tensor[c] = L(own[c]) + other[c];
+      for (int b = 0; b < D; ++b) grad[b] = other[weight] * L::load(tile.gradient[static_cast<std::size_t>(b)] + at);
+      for (int a = 0; a < D; ++a)
+        for (int b = 0; b < D; ++b) sum[a] += tensor[packed_index<D>(a, b)] * grad[b];
+    }
+    const double scale = divisor == nullptr ? 1.0 : 1.0 / divisor[i];
+    double* result = acceleration + (i - tile.begin) * D;
+    for (int a = 0; a < D; ++a) result[a] += scale * sum[a].sum();
+  });
+}
+
+}  // namespace anvil::ANVIL_SIMD_LEVEL
