@@ -101,6 +101,23 @@ TEST(StressUpdate, RotationIsOrthogonalAndTurnsTheRightWay) {
   EXPECT_LT((spin_rotation(gradient, 1.0) - expected).norm(), 1e-15 * 10.0);
 }
 
+TEST(StressUpdate, StressAndBackStressTurnWithTheMaterial) {
+  RandomTensors random;
+  const J2 law = steel(1e9, 0.0);
+  const Tensor start = random.deviator(0.4e9);
+  Tensor deviator = start;
+  StrengthHistory history;
+  history.back_stress = random.deviator(0.1e9);
+  const Tensor back_stress = history.back_stress;
+  Tensor gradient = Tensor::Zero();  // about x, by 0.3 in each of 5 steps
+  gradient(2, 1) = 2.0 * std::tan(0.15);
+  gradient(1, 2) = -gradient(2, 1);
+  for (int step = 0; step < 5; ++step) update_deviator(law, deviator, history, gradient, 1.0);
+  const Tensor turn = Eigen::AngleAxisd(1.5, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  EXPECT_LT((deviator - turn * start * turn.transpose()).norm(), 1e-14 * start.norm());  // round-off of five steps
+  EXPECT_LT((history.back_stress - turn * back_stress * turn.transpose()).norm(), 1e-14 * back_stress.norm());
+}
+
 TEST(StressUpdate, AHundredTurnsLeaveTheStressAsItWas) {
   RandomTensors random;
   for (const int steps_per_turn : {40, 1000}) {
@@ -158,7 +175,7 @@ TEST(StressUpdate, UniaxialStrainYieldsAtTheHugoniotElasticLimit) {
   EXPECT_NEAR(history.plastic_work, yield_stress * plastic_strain, 1e-10 * yield_stress * plastic_strain);
 }
 
-// Plane strain, traction along y absent in neither law: the out-of-plane stress comes from the constraint alone.
+// Without strain out of the plane there is still stress: minus the mean strain of the other two, here 0.5e-3.
 TEST(StressUpdate, PlaneStrainKeepsTheStressOutOfPlane) {
   Tensor gradient = Tensor::Zero();
   gradient(0, 0) = 2e-3;
