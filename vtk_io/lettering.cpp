@@ -4,17 +4,19 @@
 #include <fmt/format.h>
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>
-#include <vtkCellData.h>
 #include <vtkCoordinate.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProperty2D.h>
 #include <vtkTextActor.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "vtk_io/font.hpp"
 #include "vtk_io/ticks.hpp"
@@ -41,26 +43,25 @@ vtkSmartPointer<vtkActor2D> make_drawing(vtkPolyData* shapes, vtkLookupTable* co
   return actor;
 }
 
-/// A stack of quads, one for each colour.
+/// A stack of quads from one colour to the next. The points carry the colours: not every OpenGL colours cells.
 vtkSmartPointer<vtkPolyData> make_color_stack(vtkLookupTable* colors, const std::array<double, 4>& part) {
-  const vtkIdType count = colors->GetNumberOfTableValues();
+  const vtkIdType quad_count = colors->GetNumberOfTableValues();
   const double* range = colors->GetTableRange();
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> quads;
   vtkNew<vtkDoubleArray> values;
-  for (vtkIdType i = 0; i <= count; ++i) {
-    const double y = part[1] + (part[3] - part[1]) * static_cast<double>(i) / static_cast<double>(count);
-    points->InsertNextPoint(part[0], y, 0.0);
-    points->InsertNextPoint(part[2], y, 0.0);
-    if (i == count) break;
-    quads->InsertNextCell({2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2});
-    values->InsertNextValue(range[0] +
-                            (range[1] - range[0]) * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
+  for (vtkIdType i = 0; i <= quad_count; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(quad_count);
+    for (const double x : {part[0], part[2]}) {
+      points->InsertNextPoint(x, part[1] + share * (part[3] - part[1]), 0.0);
+      values->InsertNextValue(range[0] + share * (range[1] - range[0]));
+    }
+    if (i < quad_count) quads->InsertNextCell({2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2});
   }
   auto stack = vtkSmartPointer<vtkPolyData>::New();
   stack->SetPoints(points);
   stack->SetPolys(quads);
-  stack->GetCellData()->SetScalars(values);
+  stack->GetPointData()->SetScalars(values);
   return stack;
 }
 
