@@ -59,4 +59,6 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
   return checkpoint;
 }
 
+bool is_checkpoint(const std::filesystem::path& path) { return Hdf5File::is_format(path, format); }
+
 }  // namespace anvil

@@ -28,4 +28,7 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
 /// Throws InputError when the file is cut off, damaged or no checkpoint.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
 
+/// Whether a file is a checkpoint; false when it is missing.
+bool is_checkpoint(const std::filesystem::path& path);
+
 }  // namespace anvil

@@ -84,4 +84,10 @@ void ensure_folder(const fs::path& folder) {
   if (error) throw_system_error("make the folder", folder, error.value());
 }
 
+void remove_file(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) throw_system_error("remove", file, error.value());
+}
+
 }  // namespace anvil

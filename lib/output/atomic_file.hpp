@@ -24,6 +24,9 @@ std::string read_text(const std::filesystem::path& path);
 /// Makes a folder and those above it; throws MissingResourceError with path and reason.
 void ensure_folder(const std::filesystem::path& folder);
 
+/// Removes a file that may be missing; throws MissingResourceError with path and reason.
+void remove_file(const std::filesystem::path& file);
+
 /// Throws MissingResourceError: "cannot <action> '<path>': <reason of errno>".
 [[noreturn]] void throw_system_error(const std::string& action, const std::filesystem::path& path, int error_number);
 

@@ -148,6 +148,15 @@ Hdf5File Hdf5File::open(const fs::path& path, const std::string& format) {
   return file;
 }
 
+bool Hdf5File::is_format(const fs::path& path, const std::string& format) {
+  try {
+    open(path, format);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 Hdf5File::Hdf5File(Hdf5File&& other) noexcept : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)) {}
 
 Hdf5File::~Hdf5File() {
@@ -174,14 +183,16 @@ void Hdf5File::write(const std::string& name, const std::string& text) {
 }
 
 std::vector<std::string> Hdf5File::names(const std::string& group) const {
-  const OwnedId opened(H5Gopen2(id_, group.c_str(), H5P_DEFAULT), H5Gclose);
-  if (!opened.valid()) throw_damaged(path_, group);
   std::vector<std::string> names;
-  const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
-    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
-    return 0;
+  if (H5Lexists(id_, group.c_str(), H5P_DEFAULT) <= 0) return names;
+  const OwnedId opened(H5Gopen2(id_, group.c_str(), H5P_DEFAULT), H5Gclose);
+  const auto collect = [](hid_t top, const char* name, const H5L_info_t*, void* list) -> herr_t {
+    const OwnedId entry(H5Oopen(top, name, H5P_DEFAULT), H5Oclose);
+    if (H5Iget_type(entry.id()) == H5I_DATASET) static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return entry.valid() ? 0 : -1;
   };
-  H5Literate(opened.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names);
+  if (!opened.valid() || H5Lvisit(opened.id(), H5_INDEX_NAME, H5_ITER_INC, collect, &names) < 0)
+    throw_damaged(path_, group);
   return names;
 }
 

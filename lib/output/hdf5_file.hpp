@@ -25,6 +25,9 @@ class Hdf5File {
   /// Opens a file for reading; throws InputError unless it is a whole HDF5 file of that format.
   static Hdf5File open(const std::filesystem::path& path, const std::string& format);
 
+  /// Whether a file is one that open() takes; false when it is missing or damaged.
+  static bool is_format(const std::filesystem::path& path, const std::string& format);
+
   Hdf5File(Hdf5File&& other) noexcept;
   Hdf5File(const Hdf5File&) = delete;
   Hdf5File& operator=(const Hdf5File&) = delete;
@@ -39,7 +42,7 @@ class Hdf5File {
   /// Flushes and closes; errors of the disk that show only now throw MissingResourceError.
   void close();
 
-  /// Names in a group, sorted.
+  /// Names of all entries below a group, relative to it and sorted; none when there is no such group.
   [[nodiscard]] std::vector<std::string> names(const std::string& group) const;
   [[nodiscard]] bool holds_integers(const std::string& name) const;
   /// Throw InputError with path and name when the entry is missing, damaged or of another type.

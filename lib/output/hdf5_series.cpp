@@ -7,6 +7,7 @@
 
 #include "anvil/output/atomic_file.hpp"
 #include "anvil/output/hdf5_file.hpp"
+#include "anvil/output/result_folder.hpp"
 
 namespace anvil {
 namespace {
@@ -35,9 +36,11 @@ FrameArray read_array(const Hdf5File& file, const std::string& name) {
 
 }  // namespace
 
-Hdf5Series::Hdf5Series(const fs::path& folder, std::string scene)
+Hdf5Series::Hdf5Series(const fs::path& folder, std::string scene, int first_index)
     : frames_(folder / "frames"), scene_(std::move(scene)) {
   ensure_folder(frames_);
+  for (const auto& [number, file] : numbered_frames(frames_))
+    if (number >= first_index && file.extension() == ".h5") remove_file(file);
 }
 
 void Hdf5Series::write(const Frame& frame) {
@@ -64,12 +67,9 @@ Frame read_hdf5_frame(const fs::path& path) {
   frame.index = static_cast<int>(file.read_integer("index"));
   frame.dimension = static_cast<int>(file.read_integer("dimension"));
   frame.positions = file.read_doubles("positions").values;
-  for (const auto& name : file.names("/")) {
-    if (name == "arrays")
-      for (const auto& array : file.names(name)) frame.arrays.push_back(read_array(file, array));
-    if (name == "provenance")
-      for (const auto& key : file.names(name)) frame.provenance.emplace_back(key, file.read_text_entry(name + "/" + key));
-  }
+  for (const auto& name : file.names("arrays")) frame.arrays.push_back(read_array(file, name));
+  for (const auto& name : file.names("provenance"))
+    frame.provenance.emplace_back(name, file.read_text_entry("provenance/" + name));
   return frame;
 }
 

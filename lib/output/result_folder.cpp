@@ -17,11 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The number between `prefix` and the extension: 12 in rod_000012.vtp and checkpoint_12.h5.
+/// The number that follows the first `prefix` letters of a stem: 12 in rod_000012 and checkpoint_12.
 std::optional<std::int64_t> number_after(const std::string& stem, std::size_t prefix) {
   std::int64_t number = 0;
   const char* const end = stem.data() + stem.size();
-  if (prefix >= stem.size()) return std::nullopt;
   const auto [stop, error] = std::from_chars(stem.data() + prefix, end, number);
   if (error != std::errc() || stop != end) return std::nullopt;
   return number;
@@ -49,18 +48,12 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-void remove_file(const fs::path& file) {
-  std::error_code error;
-  fs::remove(file, error);
-  if (error) throw_system_error("remove", file, error.value());
-}
-
-/// Removes what a run leaves behind, and nothing else.
+/// Removes what a run leaves behind, and nothing else. The series goes before its frames, and run.json, which tells that
+/// this is a result, goes last.
 void remove_result(const ResultFolder& folder) {
-  for (const auto& file : files_in(folder.frames()))
-    if (frame_number(file)) remove_file(file);
   for (const auto& file : files_in(folder.path))
     if (checkpoint_number(file) || file.extension() == ".pvd") remove_file(file);
+  for (const auto& [number, file] : numbered_frames(folder.frames())) remove_file(file);
   remove_file(folder.history());
   remove_file(folder.provenance());
 }
@@ -70,16 +63,16 @@ void remove_result(const ResultFolder& folder) {
 fs::path ResultFolder::checkpoint(std::int64_t step) const { return path / fmt::format("checkpoint_{}.h5", step); }
 
 fs::path ResultFolder::last_frame() const {
-  fs::path last;
-  std::int64_t highest = -1;
-  for (const auto& file : files_in(frames())) {
-    const auto number = frame_number(file);
-    if (!number || *number <= highest) continue;
-    highest = *number;
-    last = file;
-  }
-  if (last.empty()) throw InputError(fmt::format("'{}' holds no frames: is it the result of a run?", path.string()));
-  return last;
+  const auto found = numbered_frames(frames());
+  if (found.empty()) throw InputError(fmt::format("'{}' holds no frames: is it the result of a run?", path.string()));
+  return found.rbegin()->second;
+}
+
+std::map<std::int64_t, fs::path> numbered_frames(const fs::path& folder) {
+  std::map<std::int64_t, fs::path> frames;
+  for (const auto& file : files_in(folder))
+    if (const auto number = frame_number(file)) frames[*number] = file;
+  return frames;
 }
 
 void check_result_folder(const fs::path& path, const std::string& scene_id, bool overwrite) {
@@ -108,15 +101,13 @@ ResultFolder start_result(const fs::path& path, const std::string& scene_id, boo
   return folder;
 }
 
-ResultFolder continue_result(const fs::path& checkpoint, std::int64_t step, int next_frame) {
+ResultFolder continue_result(const fs::path& checkpoint, std::int64_t step) {
   const ResultFolder folder{checkpoint.has_parent_path() ? checkpoint.parent_path() : fs::path(".")};
   std::error_code ignored;
   if (!fs::exists(folder.provenance(), ignored) || !fs::exists(folder.history(), ignored))
     throw InputError(fmt::format("'{}' does not lie in the folder of its run (run.json and history.csv are missing); "
                                  "a restart goes on where the checkpoint lies",
                                  checkpoint.string()));
-  for (const auto& file : files_in(folder.frames()))
-    if (const auto number = frame_number(file); number && *number >= next_frame) remove_file(file);
   for (const auto& file : files_in(folder.path))
     if (const auto number = checkpoint_number(file); number && *number > step) remove_file(file);
   return folder;

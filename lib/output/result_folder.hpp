@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 
 namespace anvil {
@@ -24,9 +25,12 @@ struct ResultFolder {
 /// removed from it. Otherwise throws InputError; a folder that is no result is never touched.
 ResultFolder start_result(const std::filesystem::path& path, const std::string& scene_id, bool overwrite);
 
-/// Readies the folder of a checkpoint for going on from it: files of later steps are removed, for the run makes them
-/// again. Throws InputError when the folder does not hold the result the checkpoint belongs to.
-ResultFolder continue_result(const std::filesystem::path& checkpoint, std::int64_t step, int next_frame);
+/// Readies the folder of a checkpoint for going on from it: later checkpoints are removed, for the run makes them again;
+/// so does the writer of the frames with its own. Throws InputError when the folder is not that of the run.
+ResultFolder continue_result(const std::filesystem::path& checkpoint, std::int64_t step);
+
+/// The frames in a folder by their number: rod_000012.vtp is number 12. Empty when there is no such folder.
+std::map<std::int64_t, std::filesystem::path> numbered_frames(const std::filesystem::path& folder);
 
 /// Whether a run of that scene may start in the folder: what start_result would refuse, it refuses; nothing is changed.
 void check_result_folder(const std::filesystem::path& path, const std::string& scene_id, bool overwrite);

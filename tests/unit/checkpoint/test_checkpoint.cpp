@@ -24,7 +24,7 @@ Checkpoint make_checkpoint() {
   checkpoint.step = 9'007'199'254'740'993;  // no double holds it
   checkpoint.next_frame = 12;
   checkpoint.history_rows = 345;
-  checkpoint.state["velocity"] = {3, std::vector<double>{0.1, -0.0, 5e-324, std::numeric_limits<double>::infinity(),
+  checkpoint.state["field/velocity"] = {3, std::vector<double>{0.1, -0.0, 5e-324, std::numeric_limits<double>::infinity(),
                                                          std::bit_cast<double>(0x7ff8'0000'dead'beefULL), 1.0 / 3.0}};
   checkpoint.state["neighbours"] = {1, std::vector<std::int64_t>{std::numeric_limits<std::int64_t>::min(), 0, 42}};
   checkpoint.state["nothing"] = {2, std::vector<double>{}};
@@ -52,8 +52,8 @@ TEST(Checkpoint, KeepsEveryBit) {
   EXPECT_EQ(read.next_frame, written.next_frame);
   EXPECT_EQ(read.history_rows, written.history_rows);
   ASSERT_EQ(read.state.size(), written.state.size());
-  EXPECT_EQ(bits(read.state["velocity"]), bits(written.state.at("velocity")));
-  EXPECT_EQ(read.state["velocity"].components, 3);
+  EXPECT_EQ(bits(read.state["field/velocity"]), bits(written.state.at("field/velocity")));
+  EXPECT_EQ(read.state["field/velocity"].components, 3);
   EXPECT_EQ(read.state["neighbours"].values, written.state.at("neighbours").values);
   EXPECT_EQ(read.state["nothing"].components, 2);
   EXPECT_TRUE(bits(read.state["nothing"]).empty());
@@ -79,7 +79,7 @@ TEST(Checkpoint, RefusesFilesCutOffAnywhere) {
 TEST(Checkpoint, NoticesAFlippedBit) {
   const TemporaryFolder folder;
   Checkpoint checkpoint = make_checkpoint();
-  checkpoint.state["velocity"] = {1, std::vector<double>(1000, 1.0 / 3.0)};
+  checkpoint.state["field/velocity"] = {1, std::vector<double>(1000, 1.0 / 3.0)};
   write_checkpoint(folder / "whole.h5", checkpoint);
   std::string text = read_text(folder / "whole.h5");
   const double third = 1.0 / 3.0;

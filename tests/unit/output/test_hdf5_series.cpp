@@ -48,6 +48,18 @@ TEST(Hdf5Series, GivesBackWhatWasWritten) {
   }
 }
 
+TEST(Hdf5Series, GoesOnAfterTheFramesItKeeps) {
+  const TemporaryFolder folder;
+  {
+    Hdf5Series series(folder.path(), "rod");
+    for (int index = 0; index < 4; ++index) series.write(make_frame(index));
+  }
+  Hdf5Series(folder.path(), "rod", 2).write(make_frame(2));
+  EXPECT_TRUE(std::filesystem::exists(folder / "frames/rod_000001.h5"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "frames/rod_000002.h5"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "frames/rod_000003.h5"));
+}
+
 TEST(Hdf5Series, WritesTheSameBytesForTheSameFrame) {
   const TemporaryFolder first;
   const TemporaryFolder second;

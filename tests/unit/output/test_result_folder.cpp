@@ -76,12 +76,10 @@ TEST(ResultFolder, NeverTouchesForeignFolders) {
   EXPECT_TRUE(fs::exists(folder / "thesis.tex"));
 }
 
-TEST(ResultFolder, ContinuesByRemovingWhatIsLater) {
+TEST(ResultFolder, ContinuesWithoutLaterCheckpoints) {
   const TemporaryFolder folder;
   fill_result(folder.path(), "one");
-  continue_result(folder / "checkpoint_20.h5", 20, 2);
-  EXPECT_TRUE(fs::exists(folder / "frames/rod_000001.vtp"));
-  EXPECT_FALSE(fs::exists(folder / "frames/rod_000002.vtp"));
+  continue_result(folder / "checkpoint_20.h5", 20);
   EXPECT_TRUE(fs::exists(folder / "checkpoint_20.h5"));
   EXPECT_FALSE(fs::exists(folder / "checkpoint_100.h5"));
 }
@@ -89,7 +87,7 @@ TEST(ResultFolder, ContinuesByRemovingWhatIsLater) {
 TEST(ResultFolder, ContinuesOnlyWhereTheRunIs) {
   const TemporaryFolder folder;
   write_file(folder / "checkpoint_20.h5", "x");
-  EXPECT_THROW(continue_result(folder / "checkpoint_20.h5", 20, 2), InputError);
+  EXPECT_THROW(continue_result(folder / "checkpoint_20.h5", 20), InputError);
 }
 
 TEST(ResultFolder, FindsTheLastFrameOfAnyFormat) {

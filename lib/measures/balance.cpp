@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "anvil/measures/balance.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "anvil/core/error.hpp"
+
+namespace anvil {
+namespace {
+
+constexpr std::array axes = {"x", "y", "z"};
+
+/// Its magnitude, N s.
+double start_momentum(const History& history) {
+  double sum = 0.0;
+  for (const char* axis : axes)
+    if (const HistoryColumn* momentum = history.find(std::string("momentum_") + axis))
+      sum = std::hypot(sum, momentum->values.front());
+  return sum;
+}
+
+}  // namespace
+
+const std::vector<double>& required_column(const History& history, const std::string& name) {
+  const HistoryColumn* column = history.find(name);
+  if (column == nullptr || column->values.empty())
+    throw InputError(fmt::format("the history has no column '{}', or no rows: it cannot be judged", name));
+  return column->values;
+}
+
+std::vector<BalancePart> energy_parts(const History& history) {
+  std::vector<BalancePart> parts;
+  for (const auto& column : history.columns())
+    if (column.unit == "J" && !column.values.empty())
+      parts.push_back({column.name, column.values.front(), column.values.back()});
+  return parts;
+}
+
+double energy_balance(const Result& result) {
+  const auto& total = required_column(result.history, "total_energy");
+  return (total.back() - total.front()) / total.front();
+}
+
+double smoothing_share(const Result& result) {
+  const HistoryColumn* loss = result.history.find("smoothing_loss");
+  return loss == nullptr ? 0.0 : loss->values.back() / required_column(result.history, "total_energy").front();
+}
+
+double momentum_balance(const Result& result) {
+  double worst = 0.0;
+  for (const char* axis : axes) {
+    const HistoryColumn* momentum = result.history.find(std::string("momentum_") + axis);
+    if (momentum == nullptr) continue;  // an axis the scene does not have
+    const auto& impulse = required_column(result.history, std::string("wall_impulse_") + axis);
+    const double pushed = impulse.back() - impulse.front();
+    worst = std::max(worst, std::abs(momentum->values.back() - momentum->values.front() - pushed));
+  }
+  return worst / start_momentum(result.history);
+}
+
+double unexplained_momentum(const Result& result) {
+  return required_column(result.history, "momentum_error").back() / start_momentum(result.history);
+}
+
+double minimum_pair_distance(const Result& result) {
+  const auto& distances = required_column(result.history, "minimum_pair_distance");
+  return *std::min_element(distances.begin(), distances.end()) / result.scene.discretisation.spacing;
+}
+
+}  // namespace anvil
