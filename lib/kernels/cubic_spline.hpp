@@ -8,7 +8,7 @@
 
 namespace anvil {
 
-/// Cubic B-spline (Monaghan and Lattanzio 1985, equation 21). W(r) = normalisation(D) / h^D * value(r / h).
+/// Cubic B-spline (Monaghan and Lattanzio 1985). W(r) = normalisation(D) / h^D * value(r / h).
 struct CubicSpline {
   static constexpr std::string_view name = "cubic_spline";
   static constexpr std::string_view summary = "cubic B-spline, support 2 h";

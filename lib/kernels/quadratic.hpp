@@ -8,7 +8,7 @@
 
 namespace anvil {
 
-/// Quadratic kernel (Johnson, Stryk and Beissel 1996, equation 9). W(r) = normalisation(D) / h^D * value(r / h).
+/// Quadratic kernel (Johnson, Stryk and Beissel 1996). W(r) = normalisation(D) / h^D * value(r / h).
 /// Its slope does not vanish at q = 0: close particles repel each other, and the gradient jumps where they meet.
 struct Quadratic {
   static constexpr std::string_view name = "quadratic";

@@ -8,8 +8,8 @@
 
 namespace anvil {
 
-/// Wendland C2 (Wendland 1995, table 1, the function for up to three dimensions, used in one and two as well).
-/// W(r) = normalisation(D) / h^D * value(r / h).
+/// Wendland C2 (Wendland 1995; Dehnen and Aly 2012, table 1: the function for three dimensions, used in one and two as
+/// well). W(r) = normalisation(D) / h^D * value(r / h).
 struct WendlandC2 {
   static constexpr std::string_view name = "wendland_c2";
   static constexpr std::string_view summary = "Wendland C2, support 2 h, does not pair particles";

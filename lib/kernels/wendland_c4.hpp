@@ -8,8 +8,8 @@
 
 namespace anvil {
 
-/// Wendland C4 (Wendland 1995, table 1, the function for up to three dimensions, used in one and two as well).
-/// W(r) = normalisation(D) / h^D * value(r / h).
+/// Wendland C4 (Wendland 1995; Dehnen and Aly 2012, table 1: the function for three dimensions, used in one and two as
+/// well). W(r) = normalisation(D) / h^D * value(r / h).
 struct WendlandC4 {
   static constexpr std::string_view name = "wendland_c4";
   static constexpr std::string_view summary = "Wendland C4, support 2 h, smoother than C2 and narrower";

@@ -8,7 +8,7 @@
 namespace anvil {
 
 /// The rotation of one step, R = (I - dt W / 2)^-1 (I + dt W / 2) with the spin W, the antisymmetric part of the
-/// velocity gradient (Hughes and Winget 1980, equation 20). Orthogonal to round-off for any step, by the closed form of
+/// velocity gradient (Hughes and Winget 1980). Orthogonal to round-off for any step, by the closed form of
 /// the Cayley transform: with w the axial vector of dt W / 2, R = I + 2 / (1 + w.w) ([w] + [w]^2).
 ANVIL_INLINE Tensor spin_rotation(const Tensor& velocity_gradient, double dt) {
   const Tensor& grad = velocity_gradient;

@@ -7,7 +7,7 @@
 
 namespace anvil {
 
-/// Von Mises plasticity with isotropic hardening that saturates (Voce 1948, equation 8):
+/// Von Mises plasticity with isotropic hardening that saturates (Voce 1948):
 /// sigma_y = sigma_0 + S (1 - exp(-c eps_p)).
 class Voce {
  public:
