@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"discretisation.spacing.x=1", "'spacing' is a value and has no keys"},
         Refused{"discretisation.kernel=cubik_spline", "did you mean 'cubic_spline'?"},
         Refused{"discretsation.spacing=1", "section 'discretsation' is unknown; did you mean 'discretisation'?"},
-        Refused{"body.bra.velocity=[0,0,1]", "there is no body named 'bra'; did you mean 'bar'?"},
+        Refused{"body.ber.velocity=[0,0,1]", "there is no body named 'ber'; did you mean 'bar'?"},
         Refused{"body.bar.velocity=[0,0]", "must be a list of 3 numbers in m/s, as [x, y, z], found 2 of them"},
         Refused{"body.bar=1", "say which key of body 'bar'"},
         Refused{"body.bar.shape.mx=[1,1,1]", "key 'body.bar.shape.mx' is unknown; did you mean 'max'?"},

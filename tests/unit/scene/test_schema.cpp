@@ -83,7 +83,9 @@ TEST(Schema, DefaultEntriesNeedNoFurtherKeys) {
     if (key->kind != ValueKind::entry) continue;
     ASSERT_FALSE(key->entries().empty()) << path;
     if (!key->standard) continue;
-    const auto named = [&](const EntryKind& kind) { return kind.type == std::get<std::string>(*key->standard); };
+    const auto named = [type = std::get<std::string>(*key->standard)](const EntryKind& kind) {
+      return kind.type == type;
+    };
     const auto kinds = key->entries();
     const auto found = std::find_if(kinds.begin(), kinds.end(), named);
     ASSERT_NE(found, kinds.end()) << path;
