@@ -4,9 +4,7 @@ include(CMakePackageConfigHelpers)
 
 set(ANVIL_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/Anvil)
 
-if(TARGET anvil)
-  install(TARGETS anvil RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
+install(TARGETS anvil RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS anvil_solver EXPORT AnvilTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(
   DIRECTORY lib/

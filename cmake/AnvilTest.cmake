@@ -34,9 +34,7 @@ function(anvil_test)
   target_compile_definitions(
     ${program} PRIVATE ANVIL_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
                        ANVIL_PROGRAM="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/anvil")
-  if(TARGET anvil)
-    add_dependencies(${program} anvil)
-  endif()
+  add_dependencies(${program} anvil)
   if(TEST_LABELS STREQUAL "unit")
     add_dependencies(anvil_unit_tests ${program})
   endif()

@@ -24,9 +24,10 @@ cd "$work"
 cmake -S "$here/program" -B "$work/build" -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER="$compiler" \
   -D CMAKE_PREFIX_PATH="$prefix" >"$work/configure.log" || { cat "$work/configure.log"; exit 1; }
 cmake --build "$work/build"
-"$work/build/consumer" "$prefix/share/anvil/scenes/rod_square.toml"
+# A program outside the prefix has to be told where the bundled files are.
+ANVIL_DATA=$prefix/share/anvil "$work/build/consumer" "$prefix/share/anvil/scenes/rod_square.toml"
 
-# Nothing installed may point back to the tree it came from.
+# No installed text (package files above all) may point back to the tree it came from.
 top=$(cd "$here/../.." && pwd)
 if grep -rIl --fixed-strings -e "$top" -e "$build" "$prefix"; then
   echo "the files above name the source or the build tree" >&2
