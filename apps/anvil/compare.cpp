@@ -57,8 +57,8 @@ void print_energies(const History& history) {
   const double start = required_column(history, "total_energy").front();
   std::vector<TableRow> rows = {{"energy", "start J", "end J", "of the start"}};
   for (const auto& part : energy_parts(history))
-    rows.push_back({part.name, fmt::format("{:.6g}", part.start), fmt::format("{:.6g}", part.end),
-                    percent(part.end / start)});
+    rows.push_back(
+        {part.name, fmt::format("{:.6g}", part.start), fmt::format("{:.6g}", part.end), percent(part.end / start)});
   fmt::print("\n");
   print_table(rows, "lrrr");
 }
@@ -77,10 +77,11 @@ void write_csv(const std::filesystem::path& path, const std::vector<ComparedQuan
 }  // namespace
 
 int execute_compare(const Arguments& arguments) {
-  Usage usage{"anvil compare RESULT [--csv FILE]",
-              "Compares the last frame and the history of a result with the reference of its scene. The exit code is 4 "
-              "when a\nquantity deviates by more than [compare] tolerance of the scene allows; the others are reported.",
-              "RESULT"};
+  Usage usage{
+      "anvil compare RESULT [--csv FILE]",
+      "Compares the last frame and the history of a result with the reference of its scene. The exit code is 4 "
+      "when a\nquantity deviates by more than [compare] tolerance of the scene allows; the others are reported.",
+      "RESULT"};
   usage.options.add_options()("csv", boost::program_options::value<std::string>()->value_name("FILE"),
                               "write the table to a CSV file, with all digits");
   const auto values = parse(usage, arguments);
@@ -88,7 +89,8 @@ int execute_compare(const Arguments& arguments) {
   const ResultFolder folder{required(*values, usage, "RESULT")};
   const Provenance run = read_provenance(folder.provenance());
   if (run.status != "finished")
-    throw InputError(fmt::format("the run in '{}' is not finished: {} {}", folder.path.string(), run.status, run.reason));
+    throw InputError(
+        fmt::format("the run in '{}' is not finished: {} {}", folder.path.string(), run.status, run.reason));
   const Result result = read_result(folder, run);
   const Reference reference = reference_of(result.scene);
   const auto quantities = compare(result, reference, result.scene.compare.tolerance);

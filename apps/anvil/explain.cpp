@@ -20,8 +20,8 @@ void print_terms(const Explanation& explanation) {
 void print_fields(const Explanation& explanation) {
   std::vector<TableRow> rows = {{"field", "unit", "bytes", "purpose"}};
   for (const auto& field : explanation.fields)
-    rows.push_back({field.name, field.unit.empty() ? "-" : field.unit, std::to_string(field.bytes_per_particle),
-                    field.purpose});
+    rows.push_back(
+        {field.name, field.unit.empty() ? "-" : field.unit, std::to_string(field.bytes_per_particle), field.purpose});
   fmt::print("\nA particle carries\n");
   print_table(rows, "llrl");
 }
@@ -30,15 +30,15 @@ void print_cost(const Scene& scene, const Explanation& explanation) {
   const auto particles = static_cast<double>(explanation.particles);
   const double megabytes = particles * explanation.bytes_per_particle / 1e6;
   fmt::print("\nThe scene takes\n");
-  print_table({{"particles", std::to_string(explanation.particles)},
-               {"neighbours per particle", fmt::format("{:.1f}", explanation.neighbours_per_particle)},
-               {"bytes per particle, neighbour list included", std::to_string(explanation.bytes_per_particle)},
-               {"memory", fmt::format("{:.1f} MB", megabytes)},
-               {"first time step", fmt::format("{:.4g} s", explanation.first_time_step)},
-               {fmt::format("steps to {:.4g} s, at that step", scene.time.end),
-                std::to_string(explanation.steps_expected)},
-               {"particle-steps", fmt::format("{:.3g}", particles * static_cast<double>(explanation.steps_expected))}},
-              "lr");
+  print_table(
+      {{"particles", std::to_string(explanation.particles)},
+       {"neighbours per particle", fmt::format("{:.1f}", explanation.neighbours_per_particle)},
+       {"bytes per particle, neighbour list included", std::to_string(explanation.bytes_per_particle)},
+       {"memory", fmt::format("{:.1f} MB", megabytes)},
+       {"first time step", fmt::format("{:.4g} s", explanation.first_time_step)},
+       {fmt::format("steps to {:.4g} s, at that step", scene.time.end), std::to_string(explanation.steps_expected)},
+       {"particle-steps", fmt::format("{:.3g}", particles * static_cast<double>(explanation.steps_expected))}},
+      "lr");
 }
 
 }  // namespace

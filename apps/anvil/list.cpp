@@ -48,8 +48,8 @@ void list_models() {
     for (const Key* key : section.keys) {
       if (key->entries == nullptr) continue;
       for (const auto& kind : key->entries())
-        rows.push_back({fmt::format("{}.{}", section.name, key->name), std::string(kind.type),
-                        std::string(kind.summary)});
+        rows.push_back(
+            {fmt::format("{}.{}", section.name, key->name), std::string(kind.type), std::string(kind.summary)});
     }
   print_table(rows, "lll");
 }

@@ -64,16 +64,18 @@ void check_restart_overrides(const std::vector<std::string>& overrides) {
   for (const auto& text : overrides) {
     const auto matches = [&](const char* key) { return text.rfind(key, 0) == 0; };
     if (std::none_of(allowed.begin(), allowed.end(), matches))
-      throw InputError(fmt::format("--set {} cannot go with --restart, where only time.end, output.interval and "
-                                   "output.checkpoint_interval can change; start a new run for it",
-                                   text));
+      throw InputError(
+          fmt::format("--set {} cannot go with --restart, where only time.end, output.interval and "
+                      "output.checkpoint_interval can change; start a new run for it",
+                      text));
   }
 }
 
 PreparedRun prepare_restart(const po::variables_map& values) {
   if (values.count("output") != 0 || values.count("SCENE") != 0 || values["overwrite"].as<bool>())
-    throw InputError("--restart goes on with the scene and in the folder of its checkpoint: give it alone, or with "
-                     "--set; to keep the old result, copy its folder first");
+    throw InputError(
+        "--restart goes on with the scene and in the folder of its checkpoint: give it alone, or with "
+        "--set; to keep the old result, copy its folder first");
   const std::filesystem::path path = values["restart"].as<std::string>();
   const auto overrides = repeated(values, "set");
   check_restart_overrides(overrides);

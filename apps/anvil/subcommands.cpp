@@ -7,15 +7,15 @@ namespace anvil {
 
 std::span<const Subcommand> subcommands() {
   static constexpr std::array table = {
-      Subcommand{"run", "run a scene and write its result", execute_run},
-      Subcommand{"check", "say whether a scene is fine, or all that is wrong with it", execute_check},
-      Subcommand{"explain", "show what a scene computes with, and what it will cost", execute_explain},
-      Subcommand{"list", "list scenes, materials, kernels, models, keys", execute_list},
-      Subcommand{"compare", "compare a result with the reference of its scene", execute_compare},
+    Subcommand{"run", "run a scene and write its result", execute_run},
+    Subcommand{"check", "say whether a scene is fine, or all that is wrong with it", execute_check},
+    Subcommand{"explain", "show what a scene computes with, and what it will cost", execute_explain},
+    Subcommand{"list", "list scenes, materials, kernels, models, keys", execute_list},
+    Subcommand{"compare", "compare a result with the reference of its scene", execute_compare},
 #if ANVIL_WITH_VTK
-      Subcommand{"render", "draw a frame of a result", execute_render},
+    Subcommand{"render", "draw a frame of a result", execute_render},
 #endif
-      Subcommand{"info", "show where a result, a frame or a checkpoint comes from", execute_info},
+    Subcommand{"info", "show where a result, a frame or a checkpoint comes from", execute_info},
   };
   return table;
 }

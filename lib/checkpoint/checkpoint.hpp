@@ -22,7 +22,8 @@ struct Checkpoint {
   State state;
 };
 
-/// Writes an HDF5 file that holds every number with its bits, under a temporary name first. Throws MissingResourceError.
+/// Writes an HDF5 file that holds every number with its bits, under a temporary name first. Throws
+/// MissingResourceError.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 
 /// Throws InputError when the file is cut off, damaged or no checkpoint.

@@ -14,14 +14,27 @@ namespace {
 
 constexpr std::array axes = {"x", "y", "z"};
 
-/// Its magnitude, N s.
-double start_momentum(const History& history) {
-  double sum = 0.0;
-  for (const char* axis : axes)
-    if (const HistoryColumn* momentum = history.find(std::string("momentum_") + axis))
-      sum = std::hypot(sum, momentum->values.front());
-  return sum;
+double largest(const std::vector<double>& values) {
+  double found = 0.0;
+  for (const double value : values) found = std::max(found, std::abs(value));
+  return found;
 }
+
+/// Largest component of the momentum in the run, N s.
+double momentum_scale(const History& history) {
+  double scale = 0.0;
+  bool known = false;
+  for (const char* axis : axes)
+    if (const HistoryColumn* momentum = history.find(std::string("momentum_") + axis)) {
+      scale = std::max(scale, largest(momentum->values));
+      known = true;
+    }
+  if (!known) throw InputError("the history has no momentum: it cannot be judged");
+  return scale;
+}
+
+/// 0 for nothing out of nothing: the balance of a scene at rest.
+double relative(double value, double scale) { return value == 0.0 ? 0.0 : value / scale; }
 
 }  // namespace
 
@@ -42,12 +55,13 @@ std::vector<BalancePart> energy_parts(const History& history) {
 
 double energy_balance(const Result& result) {
   const auto& total = required_column(result.history, "total_energy");
-  return (total.back() - total.front()) / total.front();
+  return relative(total.back() - total.front(), largest(total));
 }
 
 double smoothing_share(const Result& result) {
   const HistoryColumn* loss = result.history.find("smoothing_loss");
-  return loss == nullptr ? 0.0 : loss->values.back() / required_column(result.history, "total_energy").front();
+  return loss == nullptr ? 0.0
+                         : relative(loss->values.back(), largest(required_column(result.history, "total_energy")));
 }
 
 double momentum_balance(const Result& result) {
@@ -59,11 +73,11 @@ double momentum_balance(const Result& result) {
     const double pushed = impulse.back() - impulse.front();
     worst = std::max(worst, std::abs(momentum->values.back() - momentum->values.front() - pushed));
   }
-  return worst / start_momentum(result.history);
+  return relative(worst, momentum_scale(result.history));
 }
 
 double unexplained_momentum(const Result& result) {
-  return required_column(result.history, "momentum_error").back() / start_momentum(result.history);
+  return relative(required_column(result.history, "momentum_error").back(), momentum_scale(result.history));
 }
 
 double minimum_pair_distance(const Result& result) {

@@ -19,17 +19,19 @@ struct BalancePart {
 /// stands among them.
 std::vector<BalancePart> energy_parts(const History& history);
 
-/// Change of total_energy from the start to the end, relative to its start. 0 when energy is accounted for.
+// Shares are relative to the largest value in the run: of total_energy, or of a component of the momentum.
+
+/// Change of total_energy from the start to the end; 0 when energy is accounted for.
 double energy_balance(const Result& result);
 
-/// Change of momentum less the impulse of the walls, largest component, relative to the momentum at the start: round-off
-/// where the method conserves momentum, and what the smoothing of the velocity adds where it does not.
+/// Change of momentum less the impulse of the walls, largest component: round-off where the method conserves momentum,
+/// and what the smoothing of the velocity adds where it does not.
 double momentum_balance(const Result& result);
 
 /// What is left when the impulse of the smoothing is subtracted too.
 double unexplained_momentum(const Result& result);
 
-/// Energy taken by the smoothing of the velocity, relative to total_energy at the start.
+/// Energy taken by the smoothing of the velocity.
 double smoothing_share(const Result& result);
 
 /// Smallest distance of two particles in the run over the spacing: 1 in a lattice, near 0 when they clump.

@@ -39,17 +39,16 @@ double measure(const std::string& name, const Result& result) {
 
 ComparedQuantity compare_quantity(const ReferenceQuantity& reference, const Result& result) {
   const double value = measure(reference.name, result);
-  return {reference.name,        reference.unit, value, reference.value,
-          reference.uncertainty, (value - reference.value) / std::abs(reference.value),
+  return {reference.name,  reference.unit,        value,
+          reference.value, reference.uncertainty, (value - reference.value) / std::abs(reference.value),
           std::nullopt};
 }
 
 ComparedQuantity compare_profile(const ReferenceProfile& reference, const Result& result) {
   const ProfileMeasure* found = find_profile_measure(reference.name);
   if (found == nullptr)
-    throw InputError(
-        fmt::format("nothing measures the profile '{}'{}", reference.name,
-                    suggestion(reference.name, names_of(profile_measures()))));
+    throw InputError(fmt::format("nothing measures the profile '{}'{}", reference.name,
+                                 suggestion(reference.name, names_of(profile_measures()))));
   const double distance = relative_distance(found->of(result), reference.curve);
   return {reference.name + "_profile_l2", "", distance, std::nullopt, 0.0, distance, std::nullopt};
 }
@@ -72,8 +71,7 @@ void set_tolerances(std::vector<ComparedQuantity>& quantities, const NamedNumber
 
 bool ComparedQuantity::within() const { return !allowed || std::abs(deviation) <= *allowed; }
 
-std::vector<ComparedQuantity> compare(const Result& result, const Reference& reference,
-                                      const NamedNumbers& tolerance) {
+std::vector<ComparedQuantity> compare(const Result& result, const Reference& reference, const NamedNumbers& tolerance) {
   check_time(result, reference);
   std::vector<ComparedQuantity> quantities;
   for (const auto& quantity : reference.quantities) quantities.push_back(compare_quantity(quantity, result));

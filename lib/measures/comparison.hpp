@@ -25,9 +25,8 @@ struct ComparedQuantity {
 
 /// Measures every quantity and profile of the reference (as <profile>_profile_l2: its relative distance) and adds what
 /// every run is judged by: momentum, energy, the share of the smoothing, the smallest pair distance. `tolerance` holds
-/// the largest deviation allowed for some of them. Throws InputError when the reference or a tolerance names what nobody
-/// measures, or the result ends at another time than the reference.
-std::vector<ComparedQuantity> compare(const Result& result, const Reference& reference,
-                                      const NamedNumbers& tolerance);
+/// the largest deviation allowed for some of them. Throws InputError when the reference or a tolerance names what
+/// nobody measures, or the result ends at another time than the reference.
+std::vector<ComparedQuantity> compare(const Result& result, const Reference& reference, const NamedNumbers& tolerance);
 
 }  // namespace anvil

@@ -11,8 +11,8 @@ struct Curve {
   std::vector<double> y;
 };
 
-/// y at `x` by linear interpolation. Where a line turns back and passes `x` several times, the largest y: of an outline,
-/// the outermost. Beyond its ends, the y of the point nearest in x. The curve must hold a point.
+/// y at `x` by linear interpolation. Where a line turns back and passes `x` several times, the largest y: of an
+/// outline, the outermost. Beyond its ends, the y of the point nearest in x. The curve must hold a point.
 double value_at(const Curve& curve, double x);
 
 /// Distance of a curve from a reference at the abscissae of the reference, relative:

@@ -20,8 +20,8 @@ template <class T>
 T required_value(const toml::table& table, const std::string& key, const fs::path& file) {
   const auto value = table[key].value<T>();
   if (!value)
-    throw InputError(fmt::format("{}:{}: '{}' is missing or of another type", file.string(),
-                                 table.source().begin.line, key));
+    throw InputError(
+        fmt::format("{}:{}: '{}' is missing or of another type", file.string(), table.source().begin.line, key));
   return *value;
 }
 
@@ -98,10 +98,9 @@ Reference read_reference(const fs::path& file) {
   reference.title = document["title"].value_or(file.stem().string());
   reference.time = document["time"].value<double>();
   for (const toml::table* table : tables_of(document, "quantity"))
-    reference.quantities.push_back({required_value<std::string>(*table, "name", file),
-                                    required_value<std::string>(*table, "unit", file),
-                                    required_value<double>(*table, "value", file),
-                                    required_value<double>(*table, "uncertainty", file)});
+    reference.quantities.push_back(
+        {required_value<std::string>(*table, "name", file), required_value<std::string>(*table, "unit", file),
+         required_value<double>(*table, "value", file), required_value<double>(*table, "uncertainty", file)});
   for (const toml::table* table : tables_of(document, "profile"))
     reference.profiles.push_back(
         {required_value<std::string>(*table, "name", file),

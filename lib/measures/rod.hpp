@@ -16,10 +16,10 @@ struct RodShape {
   double length = 0.0;      // from the foot to the rear face
 };
 
-/// What is read off a square bar that has struck a rigid wall. Rows of particles are picked by where they were before the
-/// impact, so that they stay the same material. Particles that fill a bar lie half a spacing inside its faces: this
-/// distance, as it was at the start, is added to every length and width, so that results are faces and do not shift with
-/// the spacing. Sides that the scene has (all four, or two of a quarter model) are averaged.
+/// What is read off a square bar that has struck a rigid wall. Rows of particles are picked by where they were before
+/// the impact, so that they stay the same material. Particles that fill a bar lie half a spacing inside its faces: this
+/// distance, as it was at the start, is added to every length and width, so that results are faces and do not shift
+/// with the spacing. Sides that the scene has (all four, or two of a quarter model) are averaged.
 class Rod {
  public:
   /// The frame needs the arrays initial_position and plastic_strain; throws InputError when it lacks them or is not

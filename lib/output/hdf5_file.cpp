@@ -42,8 +42,8 @@ class OwnedId {
 void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 [[noreturn]] void throw_cannot_write(const fs::path& path) {
-  throw MissingResourceError(
-      fmt::format("cannot write '{}': the HDF5 library refused; is the disk full or the folder read-only?", path.string()));
+  throw MissingResourceError(fmt::format(
+      "cannot write '{}': the HDF5 library refused; is the disk full or the folder read-only?", path.string()));
 }
 
 [[noreturn]] void throw_damaged(const fs::path& path, const std::string& name) {
@@ -87,15 +87,15 @@ std::string read_unit(hid_t table) {
 }
 
 /// Makes the entry `name` and the groups it lies in, and fills it.
-void write_entry(hid_t file, const fs::path& path, const std::string& name, hid_t type, hsize_t rows, hsize_t components,
-                 const void* values, const std::string& unit) {
+void write_entry(hid_t file, const fs::path& path, const std::string& name, hid_t type, hsize_t rows,
+                 hsize_t components, const void* values, const std::string& unit) {
   const std::array<hsize_t, 2> extents = {rows, components};
   const OwnedId space(H5Screate_simple(2, extents.data(), nullptr), H5Sclose);
   const OwnedId links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(links.id(), 1);
   const OwnedId properties = creation_properties(rows, components);
   const OwnedId entry(H5Dcreate2(file, name.c_str(), type, space.id(), links.id(), properties.id(), H5P_DEFAULT),
-                     H5Dclose);
+                      H5Dclose);
   if (!entry.valid()) throw_cannot_write(path);
   if (rows > 0 && H5Dwrite(entry.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) throw_cannot_write(path);
   write_unit(entry.id(), unit, path);
@@ -116,8 +116,7 @@ Hdf5Table<T> read_table(hid_t file, const fs::path& path, const std::string& nam
   std::array<hsize_t, 2> extents{};
   H5Sget_simple_extent_dims(space.id(), extents.data(), nullptr);
   Hdf5Table<T> table{static_cast<int>(extents[1]), read_unit(entry.id()), std::vector<T>(extents[0] * extents[1])};
-  if (!table.values.empty() &&
-      H5Dread(entry.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()) < 0)
+  if (!table.values.empty() && H5Dread(entry.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()) < 0)
     throw_damaged(path, name);
   return table;
 }

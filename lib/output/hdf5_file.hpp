@@ -38,7 +38,9 @@ class Hdf5File {
   void write(const std::string& name, const Hdf5Table<std::int64_t>& table);
   void write(const std::string& name, const std::string& text);
   void write_number(const std::string& name, double value) { write(name, Hdf5Table<double>{1, "", {value}}); }
-  void write_number(const std::string& name, std::int64_t value) { write(name, Hdf5Table<std::int64_t>{1, "", {value}}); }
+  void write_number(const std::string& name, std::int64_t value) {
+    write(name, Hdf5Table<std::int64_t>{1, "", {value}});
+  }
   /// Flushes and closes; errors of the disk that show only now throw MissingResourceError.
   void close();
 

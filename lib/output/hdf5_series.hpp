@@ -8,12 +8,12 @@
 
 namespace anvil {
 
-/// Writes each frame into an HDF5 file of its own, FOLDER/frames/<scene>_NNNNNN.h5: all numbers in double, one table per
-/// array (particles x components) with its unit as an attribute. What a build without VTK writes.
+/// Writes each frame into an HDF5 file of its own, FOLDER/frames/<scene>_NNNNNN.h5: all numbers in double, one table
+/// per array (particles x components) with its unit as an attribute. What a build without VTK writes.
 class Hdf5Series : public FrameWriter {
  public:
-  /// Starts a series or, with `first_index` above 0, continues the one in `folder`: its frames from `first_index` on are
-  /// deleted because the run writes them again. Throws MissingResourceError when the folder cannot be written.
+  /// Starts a series or, with `first_index` above 0, continues the one in `folder`: its frames from `first_index` on
+  /// are deleted because the run writes them again. Throws MissingResourceError when the folder cannot be written.
   Hdf5Series(const std::filesystem::path& folder, std::string scene, int first_index = 0);
   void write(const Frame& frame) override;
 

@@ -39,7 +39,8 @@ std::vector<std::string_view> split(std::string_view line) {
 HistoryColumn parse_title(std::string_view title) {
   const std::size_t bracket = title.find(" [");
   if (bracket == std::string_view::npos || title.back() != ']') return {std::string(title), "", {}};
-  return {std::string(title.substr(0, bracket)), std::string(title.substr(bracket + 2, title.size() - bracket - 3)), {}};
+  return {
+      std::string(title.substr(0, bracket)), std::string(title.substr(bracket + 2, title.size() - bracket - 3)), {}};
 }
 
 double parse_number(std::string_view text, const fs::path& path, std::size_t line) {
@@ -119,7 +120,8 @@ const HistoryColumn* History::find(const std::string& name) const {
 History read_history(const fs::path& path) {
   const std::string text = read_text(path);
   const auto lines = whole_lines(text);
-  if (lines.empty()) throw InputError(fmt::format("'{}' is empty; a history begins with a line of names", path.string()));
+  if (lines.empty())
+    throw InputError(fmt::format("'{}' is empty; a history begins with a line of names", path.string()));
   std::vector<HistoryColumn> columns;
   for (const auto title : split(lines.front())) columns.push_back(parse_title(title));
   for (std::size_t line = 1; line < lines.size(); ++line) {

@@ -13,8 +13,8 @@
 namespace anvil {
 
 /// Appends to history.csv one row at a time: a first line with names and units ("time [s],step,wall_impulse_z [N s]"),
-/// then numbers that read back to the same bits. Every row is handed to the system when it is complete, so that a killed
-/// run leaves whole rows, but for the last one at worst.
+/// then numbers that read back to the same bits. Every row is handed to the system when it is complete, so that a
+/// killed run leaves whole rows, but for the last one at worst.
 class HistoryWriter {
  public:
   /// Starts a new file.

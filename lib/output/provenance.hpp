@@ -17,10 +17,10 @@ struct Provenance {
   std::string commit;
   std::string compiler;
   int threads = 1;
-  std::string status;       // running, finished, stopped, failed
-  std::string reason;       // why it failed or stopped, else ""
-  std::string started;      // UTC, ISO 8601
-  std::string ended;        // the same, "" while it runs
+  std::string status;   // running, finished, stopped, failed
+  std::string reason;   // why it failed or stopped, else ""
+  std::string started;  // UTC, ISO 8601
+  std::string ended;    // the same, "" while it runs
   std::int64_t particles = 0;
   std::int64_t steps = 0;       // since time 0
   double time = 0.0;            // s, reached

@@ -48,8 +48,8 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
-/// Removes what a run leaves behind, and nothing else. The series goes before its frames, and run.json, which tells that
-/// this is a result, goes last.
+/// Removes what a run leaves behind, and nothing else. The series goes before its frames, and run.json, which tells
+/// that this is a result, goes last.
 void remove_result(const ResultFolder& folder) {
   for (const auto& file : files_in(folder.path))
     if (checkpoint_number(file) || file.extension() == ".pvd") remove_file(file);
@@ -88,9 +88,10 @@ void check_result_folder(const fs::path& path, const std::string& scene_id, bool
   if (overwrite) return;
   const Provenance earlier = read_provenance(folder.provenance());
   if (earlier.scene_id != scene_id)
-    throw InputError(fmt::format("'{}' holds a result of a different scene or setting ({}); name another folder with "
-                                 "-o DIR, or replace it with --overwrite",
-                                 path.string(), earlier.title));
+    throw InputError(
+        fmt::format("'{}' holds a result of a different scene or setting ({}); name another folder with "
+                    "-o DIR, or replace it with --overwrite",
+                    path.string(), earlier.title));
 }
 
 ResultFolder start_result(const fs::path& path, const std::string& scene_id, bool overwrite) {
@@ -105,9 +106,10 @@ ResultFolder continue_result(const fs::path& checkpoint, std::int64_t step) {
   const ResultFolder folder{checkpoint.has_parent_path() ? checkpoint.parent_path() : fs::path(".")};
   std::error_code ignored;
   if (!fs::exists(folder.provenance(), ignored) || !fs::exists(folder.history(), ignored))
-    throw InputError(fmt::format("'{}' does not lie in the folder of its run (run.json and history.csv are missing); "
-                                 "a restart goes on where the checkpoint lies",
-                                 checkpoint.string()));
+    throw InputError(
+        fmt::format("'{}' does not lie in the folder of its run (run.json and history.csv are missing); "
+                    "a restart goes on where the checkpoint lies",
+                    checkpoint.string()));
   for (const auto& file : files_in(folder.path))
     if (const auto number = checkpoint_number(file); number && *number > step) remove_file(file);
   return folder;

@@ -25,8 +25,8 @@ struct ResultFolder {
 /// removed from it. Otherwise throws InputError; a folder that is no result is never touched.
 ResultFolder start_result(const std::filesystem::path& path, const std::string& scene_id, bool overwrite);
 
-/// Readies the folder of a checkpoint for going on from it: later checkpoints are removed, for the run makes them again;
-/// so does the writer of the frames with its own. Throws InputError when the folder is not that of the run.
+/// Readies the folder of a checkpoint for going on from it: later checkpoints are removed, for the run makes them
+/// again; so does the writer of the frames with its own. Throws InputError when the folder is not that of the run.
 ResultFolder continue_result(const std::filesystem::path& checkpoint, std::int64_t step);
 
 /// The frames in a folder by their number: rod_000012.vtp is number 12. Empty when there is no such folder.

@@ -156,8 +156,8 @@ class RunLoop {
   [[nodiscard]] RunPosition position() const {
     const double end = scene_.time.end;
     const double fraction = (simulation_.time() - first_time_) / (end - first_time_);
-    return {simulation_.time(), end,           simulation_.last_time_step(),
-            simulation_.step(), std::min(fraction, 1.0), wall_seconds()};
+    return {simulation_.time(),      end,           simulation_.last_time_step(), simulation_.step(),
+            std::min(fraction, 1.0), wall_seconds()};
   }
 
   void record(const std::string& status, const std::string& reason) {

@@ -24,8 +24,9 @@ Checkpoint make_checkpoint() {
   checkpoint.step = 9'007'199'254'740'993;  // no double holds it
   checkpoint.next_frame = 12;
   checkpoint.history_rows = 345;
-  checkpoint.state["field/velocity"] = {3, std::vector<double>{0.1, -0.0, 5e-324, std::numeric_limits<double>::infinity(),
-                                                         std::bit_cast<double>(0x7ff8'0000'dead'beefULL), 1.0 / 3.0}};
+  checkpoint.state["field/velocity"] = {
+      3, std::vector<double>{0.1, -0.0, 5e-324, std::numeric_limits<double>::infinity(),
+                             std::bit_cast<double>(0x7ff8'0000'dead'beefULL), 1.0 / 3.0}};
   checkpoint.state["neighbours"] = {1, std::vector<std::int64_t>{std::numeric_limits<std::int64_t>::min(), 0, 42}};
   checkpoint.state["nothing"] = {2, std::vector<double>{}};
   return checkpoint;

@@ -1,0 +1,267 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The program as a user meets it: exit codes, messages, and what it leaves behind. Usage: test_command_line.py ANVIL"""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+ANVIL = ""
+
+# Forty particles for a few steps: the shortest scene that goes through every part of a run.
+SCENE = """
+title = "Short bar"
+[domain]
+dimension = 1
+[discretisation]
+spacing = 0.5e-3
+[shock]
+method = "artificial_viscosity"
+[time]
+end = 2e-6
+[[body]]
+name = "bar"
+shape = { type = "interval", min = 0, max = 20e-3 }
+material = "steel_elastic"
+velocity = [-10]
+[[boundary]]
+name = "wall"
+type = "rigid_wall"
+point = [0]
+normal = [1]
+[output]
+interval = 0.5e-6
+format = "hdf5"
+"""
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.temporary.name)
+        self.scene = self.folder / "bar.toml"
+        self.scene.write_text(SCENE)
+        self.result = self.folder / "result"
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def anvil(self, *arguments):
+        return subprocess.run([ANVIL, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder)
+
+    def run_scene(self, *arguments):
+        return self.anvil("run", self.scene, "-o", self.result, *arguments)
+
+    def expect(self, outcome, code, *words):
+        self.assertEqual(outcome.returncode, code, outcome.stdout + outcome.stderr)
+        for word in words:
+            self.assertIn(word, outcome.stdout + outcome.stderr)
+
+    def expect_error(self, outcome, code, *words):
+        self.expect(outcome, code, *words)
+        self.assertTrue(outcome.stderr.startswith("anvil: error: "), outcome.stderr)
+        self.assertNotIn("terminate called", outcome.stderr)
+
+
+class Help(CommandLine):
+    def test_help_lists_every_subcommand_and_each_has_its_own(self):
+        outcome = self.anvil("--help")
+        self.expect(outcome, 0, "Usage: anvil", "Exit codes")
+        names = [line.split()[0] for line in outcome.stdout.splitlines() if line.startswith("  ") and line[2].islower()]
+        names.remove("anvil")
+        self.assertIn("run", names)
+        for name in names:
+            self.expect(self.anvil(name, "--help"), 0, f"Usage: anvil {name}", "--help")
+
+    def test_version(self):
+        self.assertRegex(self.anvil("--version").stdout, r"^anvil \d+\.\d+\.\d+ \(")
+
+    def test_full_device_is_an_error(self):
+        with open("/dev/full", "w") as full:
+            outcome = subprocess.run([ANVIL, "--help"], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(outcome.returncode, 2)
+
+
+class Usage(CommandLine):
+    def test_no_subcommand(self):
+        self.expect_error(self.anvil(), 1, "--help")
+
+    def test_unknown_subcommand_names_the_nearest(self):
+        self.expect_error(self.anvil("compar"), 1, "did you mean 'compare'?")
+
+    def test_unknown_option_names_the_nearest(self):
+        self.expect_error(self.run_scene("--overwrit"), 1, "did you mean '--overwrite'?")
+
+    def test_missing_and_surplus_arguments(self):
+        self.expect_error(self.anvil("run"), 1, "SCENE is missing")
+        self.expect_error(self.anvil("check", self.scene, "more"), 1, "too many arguments")
+        self.expect_error(self.anvil("run", self.scene, "-o"), 1)
+
+    def test_impossible_numbers_of_threads(self):
+        for threads in ("0", "-1", "many", "1e9", "99999999999999999999"):
+            self.expect_error(self.run_scene("--threads", threads), 1, "threads")
+        self.assertFalse(self.result.exists())
+
+    def test_unknown_list(self):
+        self.expect_error(self.anvil("list", "kernel"), 1, "did you mean 'kernels'?")
+
+
+class Scenes(CommandLine):
+    def test_check_says_fine(self):
+        self.expect(self.anvil("check", self.scene), 0, "scene is fine", "40 particles")
+
+    def test_check_names_file_line_and_key(self):
+        self.scene.write_text(SCENE.replace("spacing", "spacng"))
+        self.expect_error(self.anvil("check", self.scene), 1, "bar.toml:6", "spacing")
+
+    def test_missing_scene(self):
+        self.expect_error(self.anvil("check", "absent.toml"), 1, "absent.toml")
+        self.expect_error(self.anvil("check", "rod_squar"), 1, "rod_square")
+
+    def test_override(self):
+        self.expect(self.anvil("check", self.scene, "--set", "discretisation.spacing=1e-3"), 0, "20 particles")
+        self.expect_error(self.anvil("check", self.scene, "--set", "discretisation.spacing=-1"), 1, "spacing")
+
+    def test_explain_shows_terms_fields_and_cost(self):
+        self.expect(self.anvil("explain", self.scene), 0, "momentum", "density", "bytes per particle", "first time step")
+
+    def test_lists(self):
+        self.expect(self.anvil("list"), 0, "rod_square", "copper", "cubic_spline", "rigid_wall", "j2")
+        self.expect(self.anvil("list", "keys"), 0, "time.end", "discretisation.spacing")
+
+
+class Runs(CommandLine):
+    def test_a_run_leaves_what_it_promises(self):
+        self.expect(self.run_scene(), 0, "finished")
+        frames = sorted(path.name for path in (self.result / "frames").iterdir())
+        self.assertEqual(frames, [f"bar_{index:06}.h5" for index in range(5)])
+        record = json.loads((self.result / "run.json").read_text())
+        self.assertEqual(record["status"], "finished")
+        self.assertEqual(record["particles"], 40)
+        self.assertTrue((self.result / f"checkpoint_{record['steps']}.h5").exists())
+        header = (self.result / "history.csv").read_text().splitlines()[0]
+        self.assertTrue(header.startswith("time [s],step,time_step [s],mass [kg"), header)
+
+    def test_provenance_names_neither_machine_nor_user(self):
+        self.run_scene()
+        text = (self.result / "run.json").read_text()
+        self.assertNotIn(os.uname().nodename, text)
+        self.assertNotIn(str(self.folder), text)
+
+    def test_info_reads_everything_a_run_leaves(self):
+        self.run_scene()
+        for name in ("", "run.json", "frames/bar_000004.h5", *(p.name for p in self.result.glob("checkpoint_*.h5"))):
+            self.expect(self.anvil("info", self.result / name), 0, "version", "commit")
+        self.expect_error(self.anvil("info", self.result / "absent"), 1, "absent")
+        self.expect_error(self.anvil("info", self.result / "history.csv"), 1, "history.csv")
+
+    def test_quiet(self):
+        outcome = self.run_scene("--quiet")
+        self.assertEqual((outcome.returncode, outcome.stdout, outcome.stderr), (0, "", ""))
+
+    def test_bad_input_leaves_no_folder(self):
+        self.expect_error(self.run_scene("--set", "time.end=-1"), 1, "time.end")
+        self.expect_error(self.run_scene("--set", "domain.dimension=3"), 1)
+        self.assertFalse(self.result.exists())
+
+    def test_a_different_result_is_not_overwritten_unless_told(self):
+        self.run_scene()
+        before = (self.result / "history.csv").read_text()
+        self.expect_error(self.run_scene("--set", "time.end=1e-6"), 1, "--overwrite", "Short bar")
+        self.assertEqual((self.result / "history.csv").read_text(), before)
+        self.expect(self.run_scene(), 0)  # the same scene again
+        self.expect(self.run_scene("--set", "time.end=1e-6", "--overwrite"), 0)
+        self.assertEqual(len(list((self.result / "frames").iterdir())), 3)
+
+    def test_foreign_folders_are_never_touched(self):
+        self.result.mkdir()
+        (self.result / "thesis.tex").write_text("years of work")
+        self.expect_error(self.run_scene("--overwrite"), 1, "no result of anvil")
+        self.assertEqual([path.name for path in self.result.iterdir()], ["thesis.tex"])
+
+    def test_folder_that_cannot_be_made(self):
+        outcome = self.anvil("run", self.scene, "-o", "/proc/result")
+        self.expect_error(outcome, 2, "/proc/result")
+
+    def test_any_number_of_threads_gives_the_same_bits(self):
+        self.run_scene("--threads", "1")
+        one = (self.result / "history.csv").read_bytes()
+        self.run_scene("--threads", "3")
+        self.assertEqual((self.result / "history.csv").read_bytes(), one)
+
+
+class Restarts(CommandLine):
+    def test_a_longer_run_from_the_last_checkpoint(self):
+        self.run_scene()
+        checkpoint = next(self.result.glob("checkpoint_*.h5"))
+        self.expect(self.anvil("run", "--restart", checkpoint, "--set", "time.end=3e-6"), 0, "finished at 3e-06")
+        self.assertEqual(len(list((self.result / "frames").iterdir())), 7)
+
+    def test_what_cannot_go_with_a_restart(self):
+        self.run_scene()
+        checkpoint = next(self.result.glob("checkpoint_*.h5"))
+        self.expect_error(self.anvil("run", "--restart", checkpoint, "-o", "other"), 1, "its checkpoint")
+        self.expect_error(self.anvil("run", self.scene, "--restart", checkpoint), 1, "its checkpoint")
+        self.expect_error(self.anvil("run", "--restart", checkpoint, "--set", "time.cfl=0.1"), 1, "time.cfl")
+        self.expect_error(self.anvil("run", "--restart", checkpoint, "--set", "time.end=1e-6"), 1, "after time.end")
+
+    def test_what_is_no_checkpoint(self):
+        self.run_scene()
+        self.expect_error(self.anvil("run", "--restart", self.scene), 1, "bar.toml")
+        self.expect_error(self.anvil("run", "--restart", self.result / "frames/bar_000001.h5"), 1, "anvil frame")
+        checkpoint = next(self.result.glob("checkpoint_*.h5"))
+        checkpoint.write_bytes(checkpoint.read_bytes()[:-100])
+        self.expect_error(self.anvil("run", "--restart", checkpoint), 1, checkpoint.name)
+
+
+class Signals(CommandLine):
+    def test_interrupt_writes_a_checkpoint_that_goes_on(self):
+        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            process = subprocess.Popen(
+                [ANVIL, "run", self.scene, "-o", self.result, "--overwrite", "--set", "time.end=1e-3"],
+                stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+            while not (self.result / "frames/bar_000001.h5").exists():
+                self.assertIsNone(process.poll(), "the run ended early")
+                time.sleep(0.01)
+            process.send_signal(number)
+            output, _ = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, code)
+            self.assertIn("stopped", output)
+            record = json.loads((self.result / "run.json").read_text())
+            self.assertEqual(record["status"], "stopped")
+            checkpoint = self.result / f"checkpoint_{record['steps']}.h5"
+            end = record["time"] + 1e-7
+            self.expect(self.anvil("run", "--restart", checkpoint, "--set", f"time.end={end!r}"), 0, "finished")
+            for path in (self.result / "frames").iterdir():
+                path.unlink()
+
+
+class Comparisons(CommandLine):
+    def test_without_a_reference_it_reports_the_balances(self):
+        self.run_scene()
+        table = self.folder / "table.csv"
+        self.expect(self.anvil("compare", self.result, "--csv", table), 0, "momentum_balance", "energy_balance")
+        names = [line.split(",")[0] for line in table.read_text().splitlines()]
+        self.assertEqual(names[0], "quantity")
+        self.assertIn("momentum_balance", names)
+
+    def test_exit_code_follows_the_tolerance(self):
+        for allowed, code in (("0.5", 0), ("1e-300", 4)):
+            self.run_scene("--overwrite", "--set", f"compare.tolerance={{ energy_balance = {allowed} }}")
+            self.expect(self.anvil("compare", self.result), code, "fine" if code == 0 else "OUTSIDE")
+
+    def test_tolerance_of_nothing_measured(self):
+        self.run_scene("--set", "compare.tolerance={ energy_balanc = 0.5 }")
+        self.expect_error(self.anvil("compare", self.result), 1, "energy_balance")
+
+    def test_what_is_no_result(self):
+        self.expect_error(self.anvil("compare", self.folder), 1, "run.json")
+
+
+if __name__ == "__main__":
+    ANVIL = str(pathlib.Path(sys.argv.pop(1)).resolve())
+    unittest.main()
