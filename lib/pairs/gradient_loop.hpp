@@ -29,7 +29,7 @@ void fill_pairs(const PairTile<D>& tile, const PairRecords<D>& records) {
       if constexpr (Value) (scale * Kernel::value(q)).store(tile.value + at);
       if constexpr (Gradient) {
         const L factor = scale * h_inverse * h_inverse * Kernel::slope_over_q(q);
-        for (int a = 0; a < D; ++a) (factor * x_ij[a]).store(tile.gradient[static_cast<std::size_t>(a)] + at);
+        for (int a = 0; a < D; ++a) (factor * x_ij[a]).store(tile.plain_gradient[static_cast<std::size_t>(a)] + at);
       }
     }
   });

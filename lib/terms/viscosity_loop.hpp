@@ -30,7 +30,7 @@ void sum_viscosity(const PairTile<D>& tile, const PairRecords<D>& records, const
       L approach(0.0), distance_squared(0.0), work(0.0), grad[D];
       for (int a = 0; a < D; ++a) {
         const L x_ij = L(place[a]) - other_place[a], v_ij = L(motion[a]) - other_motion[a];
-        grad[a] = L::load(tile.gradient[static_cast<std::size_t>(a)] + at);
+        grad[a] = L::load(tile.plain_gradient[static_cast<std::size_t>(a)] + at);
         approach += v_ij * x_ij;
         distance_squared += x_ij * x_ij;
         work += v_ij * grad[a];
