@@ -54,7 +54,7 @@ std::int64_t Solver<D>::count_pairs() const {
   for (std::size_t i = 0; i < particle_count(); ++i) {
     for (std::int64_t k = neighbours_.row_begin(i); k < neighbours_.row_end(i); ++k) {
       const auto j = static_cast<std::size_t>(neighbours_.neighbours()[k]);
-      if (j == particle_count()) break;  // padding
+      if (j >= particle_count()) break;  // padding or images
       const double reach = 0.5 * recipe_.support * (smoothing_length_[i] + smoothing_length_[j]);
       if ((position_[i] - position_[j]).squaredNorm() < reach * reach) ++pairs;
     }
