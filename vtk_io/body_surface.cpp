@@ -17,48 +17,22 @@
 
 #include <cmath>
 
+#include "anvil/core/error.hpp"
+
 namespace anvil {
 namespace {
 
-constexpr const char* filling = "filling";  // 1 inside, 0 outside
+constexpr const char* fullness = "fullness";  // 1 inside, 0 outside
+constexpr double half_full = 0.5;
+constexpr double largest_grid = 1e8;  // nodes: about 2 GB
 constexpr const char* colors = "colored_by";
 constexpr double smoothing_ratio = 1.1;  // h / spacing: bridges the gaps between stretched rows of particles
 
-/// Filling and colours on a grid of half the spacing.
-vtkSmartPointer<vtkDataSet> make_fields(const DrawnParticles& particles) {
-  const double cell = particles.spacing / 2;
-  double bounds[6];
-  particles.points->GetBounds(bounds);
-  vtkNew<vtkImageData> grid;
-  int nodes[3];
-  double origin[3];
-  for (int i = 0; i < 3; ++i) {
-    constexpr int margin = 6;  // cells: beyond the reach of the kernel
-    origin[i] = bounds[2 * i] - margin * cell;
-    nodes[i] = static_cast<int>(std::ceil((bounds[2 * i + 1] - bounds[2 * i]) / cell)) + 2 * margin + 1;
-  }
-  grid->SetOrigin(origin);
-  grid->SetDimensions(nodes);
-  grid->SetSpacing(cell, cell, cell);
-
-  vtkNew<vtkSPHCubicKernel> kernel;
-  kernel->SetSpatialStep(smoothing_ratio * particles.spacing);
-  vtkNew<vtkSPHInterpolator> interpolator;
-  interpolator->SetInputData(grid);
-  interpolator->SetSourceData(particles.points);
-  interpolator->SetKernel(kernel);
-  interpolator->SetComputeShepardSum(true);
-  interpolator->SetShepardSumArrayName(filling);
-  interpolator->SetShepardNormalization(true);
-  interpolator->Update();
-  return interpolator->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> make_closed_surface(vtkDataSet* fields, double level) {
+vtkSmartPointer<vtkPolyData> make_closed_surface(vtkDataSet* filling) {
   vtkNew<vtkFlyingEdges3D> contour;
-  contour->SetInputData(fields);
-  contour->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, filling);
-  contour->SetValue(0, level);
+  contour->SetInputData(filling);
+  contour->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, fullness);
+  contour->SetValue(0, half_full);
   contour->ComputeNormalsOff();
   contour->InterpolateAttributesOn();
   vtkNew<vtkWindowedSincPolyDataFilter> smooth;
@@ -97,20 +71,20 @@ vtkSmartPointer<vtkPolyData> clip_quarter_away(vtkPolyData* surface, const Quart
 }
 
 /// The face that the cut opens on one side of the quarter.
-vtkSmartPointer<vtkPolyData> make_cut_face(vtkDataSet* fields, double level, const Quarter& quarter, int axis) {
+vtkSmartPointer<vtkPolyData> make_cut_face(vtkDataSet* filling, const Quarter& quarter, int axis) {
   const auto plane = make_side(quarter, axis);
   const auto other_side = make_side(quarter, 1 - axis);
   vtkNew<vtkCutter> section;
-  section->SetInputData(fields);
+  section->SetInputData(filling);
   section->SetCutFunction(plane);
   vtkNew<vtkClipPolyData> half;
   half->SetInputConnection(section->GetOutputPort());
   half->SetClipFunction(other_side);
   half->Update();
-  half->GetOutput()->GetPointData()->SetActiveScalars(filling);
+  half->GetOutput()->GetPointData()->SetActiveScalars(fullness);
   vtkNew<vtkClipPolyData> filled;
   filled->SetInputData(half->GetOutput());
-  filled->SetValue(level);
+  filled->SetValue(half_full);
   vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputConnection(filled->GetOutputPort());
   normals->Update();
@@ -119,16 +93,44 @@ vtkSmartPointer<vtkPolyData> make_cut_face(vtkDataSet* fields, double level, con
 
 }  // namespace
 
-vtkSmartPointer<vtkPolyData> make_body_surface(const DrawnParticles& particles,
-                                               const std::optional<Quarter>& cut_away) {
-  constexpr double level = 0.5;
-  const auto fields = make_fields(particles);
-  auto surface = make_closed_surface(fields, level);
+vtkSmartPointer<vtkDataSet> make_filling(const DrawnParticles& particles) {
+  const double cell = particles.spacing / 2;
+  double bounds[6];
+  particles.points->GetBounds(bounds);
+  vtkNew<vtkImageData> grid;
+  int nodes[3];
+  double origin[3];
+  for (int i = 0; i < 3; ++i) {
+    constexpr int margin = 6;  // cells: beyond the reach of the kernel
+    origin[i] = bounds[2 * i] - margin * cell;
+    nodes[i] = static_cast<int>(std::ceil((bounds[2 * i + 1] - bounds[2 * i]) / cell)) + 2 * margin + 1;
+  }
+  if (static_cast<double>(nodes[0]) * nodes[1] * nodes[2] > largest_grid)
+    throw InputError("the particles are too far apart for a surface, some may have flown off: draw them as spheres");
+  grid->SetOrigin(origin);
+  grid->SetDimensions(nodes);
+  grid->SetSpacing(cell, cell, cell);
+
+  vtkNew<vtkSPHCubicKernel> kernel;
+  kernel->SetSpatialStep(smoothing_ratio * particles.spacing);
+  vtkNew<vtkSPHInterpolator> interpolator;
+  interpolator->SetInputData(grid);
+  interpolator->SetSourceData(particles.points);
+  interpolator->SetKernel(kernel);
+  interpolator->SetComputeShepardSum(true);
+  interpolator->SetShepardSumArrayName(fullness);
+  interpolator->SetShepardNormalization(true);
+  interpolator->Update();
+  return interpolator->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> make_body_surface(vtkDataSet* filling, const std::optional<Quarter>& cut_away) {
+  auto surface = make_closed_surface(filling);
   if (cut_away) {
     vtkNew<vtkAppendPolyData> parts;
     parts->AddInputData(clip_quarter_away(surface, *cut_away));
-    parts->AddInputData(make_cut_face(fields, level, *cut_away, 0));
-    parts->AddInputData(make_cut_face(fields, level, *cut_away, 1));
+    parts->AddInputData(make_cut_face(filling, *cut_away, 0));
+    parts->AddInputData(make_cut_face(filling, *cut_away, 1));
     parts->Update();
     surface = parts->GetOutput();
   }

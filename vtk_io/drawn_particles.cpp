@@ -12,6 +12,8 @@
 #include <cmath>
 #include <map>
 
+#include "anvil/core/error.hpp"
+
 namespace anvil {
 namespace {
 
@@ -78,6 +80,8 @@ std::vector<vtkBoundingBox> undeformed_boxes(const Frame& frame, vtkDataArray* i
 }  // namespace
 
 DrawnParticles make_drawn_particles(const Frame& frame, const std::vector<double>& colored_by) {
+  if (!std::all_of(frame.positions.begin(), frame.positions.end(), [](double x) { return std::isfinite(x); }))
+    throw InputError("the frame holds positions that are not numbers: the run went wrong before it");
   DrawnParticles particles;
   particles.points = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;

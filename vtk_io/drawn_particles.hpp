@@ -19,6 +19,7 @@ struct DrawnParticles {
   std::vector<vtkBoundingBox> undeformed;  // of each body, faces included; empty without initial_position
 };
 
+/// Throws InputError when a position is not finite.
 DrawnParticles make_drawn_particles(const Frame& frame, const std::vector<double>& colored_by);
 
 /// The quarter of a body that is cut away: the edge runs along z, two planes bound it.

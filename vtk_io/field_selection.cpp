@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "anvil/core/error.hpp"
 #include "vtk_io/ticks.hpp"
@@ -105,12 +106,19 @@ FieldRange range_of(const SelectedField& field, const std::optional<FieldRange>&
       throw InputError(fmt::format("the range of colours {} to {} is empty", wanted->low, wanted->high));
     return {wanted->low * field.per_si_unit, wanted->high * field.per_si_unit};
   }
-  const auto [least, greatest] = std::minmax_element(field.values.begin(), field.values.end());
-  const double low = *least >= 0.0 ? 0.0 : *least;
-  const double span = *greatest - low;
-  if (!(span > 0.0)) return {low, low + 1.0};
+  double least = std::numeric_limits<double>::max();
+  double greatest = std::numeric_limits<double>::lowest();
+  for (const double value : field.values) {
+    if (!std::isfinite(value)) continue;
+    least = std::min(least, value);
+    greatest = std::max(greatest, value);
+  }
+  const double low = least >= 0.0 ? 0.0 : least;
+  const double span = greatest - low;
+  if (least > greatest) return {0.0, 1.0};  // not one number
+  if (span == 0.0) return low < 0.0 ? FieldRange{low, 0.0} : FieldRange{0.0, 1.0};
   const double step = nice_step(span, 5);
-  return {std::floor(low / step) * step, std::ceil(*greatest / step - 1e-9) * step};
+  return {std::floor(low / step) * step, std::ceil(greatest / step - 1e-9) * step};
 }
 
 }  // namespace anvil

@@ -37,6 +37,7 @@ struct Picture {
   vtkSmartPointer<vtkRenderWindow> window;
   vtkSmartPointer<vtkLookupTable> colors;
   DrawnParticles particles;
+  vtkSmartPointer<vtkDataSet> filling;  // only where surfaces are drawn
 };
 
 /// The window with all that does not belong to a single view.
@@ -71,10 +72,9 @@ Quarter nearest_quarter(const DrawnParticles& particles, const Direction& view_d
   return {middle[0], middle[1], view_direction[0] < 0.0 ? -1.0 : 1.0, view_direction[1] > 0.0 ? 1.0 : -1.0};
 }
 
-void add_body(vtkRenderer* view, const Picture& picture, const RenderOptions& options,
-              const std::optional<Quarter>& cut_away) {
-  if (options.surface) {
-    add_surface(view, make_body_surface(picture.particles, cut_away), picture.colors);
+void add_body(vtkRenderer* view, const Picture& picture, const std::optional<Quarter>& cut_away) {
+  if (picture.filling != nullptr) {
+    add_surface(view, make_body_surface(picture.filling, cut_away), picture.colors);
   } else {
     const DrawnParticles drawn = cut_away ? without_quarter(picture.particles, *cut_away) : picture.particles;
     add_spheres(view, drawn.points, sphere_radius * picture.particles.spacing, picture.colors);
@@ -96,12 +96,11 @@ void add_height_scale(vtkRenderer* view, const vtkBoundingBox& box, const Direct
 void add_rod_view(const Picture& picture, const RenderOptions& options, const std::array<double, 4>& part,
                   const std::optional<Quarter>& cut_away) {
   const auto view = add_view(picture.window, part);
-  add_body(view, picture, options, cut_away);
+  add_body(view, picture, cut_away);
   if (options.outline)
     for (const auto& box : picture.particles.undeformed) add_outline(view, box);
   for (const WallPlane& wall : options.walls) add_wall(view, wall, box_of(picture.particles));
-  vtkBoundingBox all = all_of(picture.particles);
-  add_height_scale(view, all, options.view_direction, font_height(options) * 4 / 5);
+  add_height_scale(view, all_of(picture.particles), options.view_direction, font_height(options) * 4 / 5);
   vtkBoundingBox shown(view->ComputeVisiblePropBounds());
   aim_camera(view, shown, options.view_direction, {0.0, 0.0, 1.0});
 }
@@ -115,7 +114,8 @@ void check_view_direction(const Direction& direction) {
 
 void render_rod(const Frame& frame, const RenderOptions& options, const std::filesystem::path& png) {
   check_view_direction(options.view_direction);
-  const Picture picture = make_picture(frame, options);
+  Picture picture = make_picture(frame, options);
+  if (options.surface) picture.filling = make_filling(picture.particles);
   if (options.cut) {
     add_rod_view(picture, options, {0.0, 0.0, 0.42, view_top}, std::nullopt);
     add_rod_view(picture, options, {0.42, 0.0, 0.84, view_top},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -130,6 +131,17 @@ TEST(RodView, RefusesOptionsThatMakeNoSense) {
   options.size = {100000, 10};
   EXPECT_THROW(render_rod(frame, options, "never.png"), InputError);
   EXPECT_FALSE(fs::exists("never.png"));
+}
+
+TEST(RodView, SurvivesParticlesThatFlewOff) {
+  Frame frame = test::make_mushroom(4);
+  frame.positions[0] = frame.positions[1] = 10.0;  // m
+  RenderOptions options = baseline_options();
+  draw("flown_off", frame, options);
+  options.surface = true;
+  EXPECT_THROW(draw("flown_off", frame, options), InputError);
+  frame.positions[0] = std::nan("");
+  EXPECT_THROW(draw("flown_off", frame, options), InputError);
 }
 
 TEST(RodView, NamesThePictureThatCannotBeWritten) {

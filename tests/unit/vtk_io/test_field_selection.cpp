@@ -67,6 +67,14 @@ TEST(FieldSelection, RoundsTheRangeOutward) {
   EXPECT_EQ(both_signs.high, 0.0);
 }
 
+TEST(FieldSelection, LeavesWhatIsNoNumberOutOfTheRange) {
+  SelectedField field = select_field(make_two_particles(), "");
+  field.values = {std::nan(""), 2.0, HUGE_VAL};
+  EXPECT_EQ(range_of(field, std::nullopt).high, 2.0);
+  field.values = {std::nan("")};
+  EXPECT_LT(range_of(field, std::nullopt).low, range_of(field, std::nullopt).high);
+}
+
 TEST(FieldSelection, TakesAFixedRangeInSiUnits) {
   const auto range = range_of(select_field(make_two_particles(), "stress.xx"), FieldRange{0.0, 4e8});
   EXPECT_DOUBLE_EQ(range.high, 400.0);
