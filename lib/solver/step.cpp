@@ -11,6 +11,7 @@ namespace anvil {
 
 template <int D>
 void Solver<D>::advance(double latest) {
+  if (scratch_.size() < static_cast<std::size_t>(thread_count())) size_scratch();  // threads were added meanwhile
   const double time_step = choose_time_step(latest);
   accelerate(0.5 * (time_step_ + time_step));  // leapfrog: from the middle of the last step to that of this one
   filter_velocities(time_step);
@@ -37,9 +38,8 @@ void Solver<D>::accelerate(double kick) {
     pack_geometry(tile.range);
     pack_motion(tile.range);
   });
-  for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
-    accelerate_tile(tile, scratch, kick, report);
-  });
+  for_each_tile(
+      [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) { accelerate_tile(tile, scratch, kick, report); });
   for (const auto& report : reports_) ledger_.viscous_loss += report.viscous_loss;
 }
 
@@ -75,8 +75,9 @@ void Solver<D>::filter_velocities(double time_step) {
 }
 
 // Energy account. Forces, filters and boundaries each give a particle an impulse in the step from one half time to the
-// next. The work of an impulse is its product with the mean of the velocities before and after all of them: only then do
-// the parts add up to the change of kinetic energy, and is the work of the stresses the one that strains the material.
+// next. The work of an impulse is its product with the mean of the velocities before and after all of them: only then
+// do the parts add up to the change of kinetic energy, and is the work of the stresses the one that strains the
+// material.
 
 template <int D>
 void Solver<D>::filter_tile(const Tile& tile, const VelocityFilter<D>& filter, Scratch& scratch, double time_step,
@@ -122,8 +123,10 @@ void Solver<D>::apply_boundaries(const Tile& tile, Scratch& scratch, double time
     // The records still hold the velocities that the filter read; without filters, those before the kick.
     const Eigen::Map<const Vec<D>> recorded(records_.motion[i]);
     Vec<D> twice_mean = velocity_[i];
-    if (recipe_.filters.empty()) twice_mean += recorded;
-    else twice_mean += start_velocity_[i] + (incoming - recorded);  // the filter's mean lacked this impulse
+    if (recipe_.filters.empty())
+      twice_mean += recorded;
+    else
+      twice_mean += start_velocity_[i] + (incoming - recorded);  // the filter's mean lacked this impulse
     report.wall_loss -= 0.5 * mass_[i] * change.dot(twice_mean);
     report.wall_impulse += mass_[i] * change;
   }
@@ -134,6 +137,7 @@ void Solver<D>::move_tile(const Tile& tile, double time_step, TileReport<D>& rep
   report.least_displacement.setConstant(std::numeric_limits<double>::max());
   report.greatest_displacement = -report.least_displacement;
   report.greatest_growth = 0.0;
+  report.broken_particle = -1;
   for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
     position_[i] += time_step * velocity_[i];
     const Vec<D> displacement = position_[i] - listed_position_[i];
@@ -147,8 +151,8 @@ void Solver<D>::move_tile(const Tile& tile, double time_step, TileReport<D>& rep
   }
 }
 
-/// The list stays complete while no pair has come nearer by more than the skin. How far two particles can have approached
-/// is bounded by the box around all displacements, which does not grow when everything moves alike.
+/// The list stays complete while no pair has come nearer by more than the skin. How far two particles can have
+/// approached is bounded by the box around all displacements, which does not grow when everything moves alike.
 template <int D>
 void Solver<D>::refresh_neighbours() {
   if (reports_.empty()) return;
@@ -210,8 +214,7 @@ void Solver<D>::update_density(ParticleRange range, const double* velocity_gradi
 
 /// The time step rule dt = cfl h / (c + |v|), c the longitudinal wave speed (Long 2007, equation 12).
 template <int D>
-void Solver<D>::pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared,
-                                     TileReport<D>& report) {
+void Solver<D>::pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report) {
   const double shear_modulus = recipe_.bodies[static_cast<std::size_t>(tile.body)].strength->shear_modulus();
   report.step_limit = std::numeric_limits<double>::max();
   for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
