@@ -61,8 +61,8 @@ class StrengthAtWork final : public StrengthUpdate<D> {
     double energy = 0.0;
     if constexpr (Law::resists_shear) {
       for (std::size_t i = range.first(); i < range.last(); ++i)
-        energy += StrainState::deviator(deviator_ + components * i).squaredNorm() / (4.0 * law_.shear_modulus()) * mass_[i] /
-                  density_[i];
+        energy += StrainState::deviator(deviator_ + components * i).squaredNorm() / (4.0 * law_.shear_modulus()) *
+                  mass_[i] / density_[i];
     }
     return energy;
   }
@@ -98,8 +98,7 @@ class EosAtWork final : public EosUpdate<D> {
 
   [[nodiscard]] double elastic_energy(ParticleRange range) const override {
     double energy = 0.0;
-    for (std::size_t i = range.first(); i < range.last(); ++i)
-      energy += mass_[i] * law_.cold_energy(density_[i]);
+    for (std::size_t i = range.first(); i < range.last(); ++i) energy += mass_[i] * law_.cold_energy(density_[i]);
     return energy;
   }
 

@@ -5,8 +5,8 @@
 
 namespace anvil::ANVIL_SIMD_LEVEL {
 
-/// Fills the pairs of a tile: grad_ij = (dW/dr) x_ij / r and, when wanted, W_ij, both at h_ij = (h_i + h_j)/2, which makes
-/// grad_ij = -grad_ji to the last bit.
+/// Fills the pairs of a tile: grad_ij = (dW/dr) x_ij / r and, when wanted, W_ij, both at h_ij = (h_i + h_j)/2, which
+/// makes grad_ij = -grad_ji to the last bit.
 template <int D, class Kernel, bool Gradient, bool Value>
 void fill_pairs(const PairTile<D>& tile, const PairRecords<D>& records) {
   using L = Lanes<lanes<D>>;

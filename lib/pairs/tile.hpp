@@ -18,11 +18,11 @@ struct PairNeeds {
 /// tile belongs to the particle i with first[i] <= begin_pair + k < first[i + 1].
 template <int D>
 struct PairTile {
-  std::int32_t begin = 0, end = 0;            // particles
-  const std::int64_t* first = nullptr;        // by particle: its first pair in the list
-  const std::int32_t* neighbour = nullptr;    // the whole list
-  std::array<double*, D> gradient{};          // grad_i W_ij by component, 1/m^(D+1); from pair first[begin]
-  double* value = nullptr;                    // W_ij, 1/m^D; from pair first[begin]
+  std::int32_t begin = 0, end = 0;          // particles
+  const std::int64_t* first = nullptr;      // by particle: its first pair in the list
+  const std::int32_t* neighbour = nullptr;  // the whole list
+  std::array<double*, D> gradient{};        // grad_i W_ij by component, 1/m^(D+1); from pair first[begin]
+  double* value = nullptr;                  // W_ij, 1/m^D; from pair first[begin]
 };
 
 }  // namespace anvil

@@ -19,7 +19,8 @@ const MaterialDescription& material_of(const Scene& scene, const BodyDescription
   const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
                                   [&](const MaterialDescription& material) { return material.name == body.material; });
   if (found == scene.materials.end())
-    throw InputError("body '" + body.name + "' names material '" + body.material + "', which the scene does not define");
+    throw InputError("body '" + body.name + "' names material '" + body.material +
+                     "', which the scene does not define");
   return *found;
 }
 
@@ -44,8 +45,8 @@ double elastic_wave_speed(const MaterialDescription& material) {
 
 template <int D>
 void add_forces(const Scene& scene, FieldStore& fields, Recipe<D>& recipe) {
-  const MomentumForm form = scene.discretisation.momentum_form == "density_squared" ? MomentumForm::density_squared
-                                                                                    : MomentumForm::sum;
+  const MomentumForm form =
+      scene.discretisation.momentum_form == "density_squared" ? MomentumForm::density_squared : MomentumForm::sum;
   recipe.forces.push_back(std::make_unique<Momentum<D>>(fields, form));
   if (scene.shock.method == "artificial_viscosity") {
     const ViscosityCoefficients coefficients{.linear = scene.shock.linear_coefficient,
@@ -64,19 +65,20 @@ void add_filters(const Scene& scene, Recipe<D>& recipe) {
   for (const auto& material : scene.materials) fastest = std::max(fastest, elastic_wave_speed<D>(material));
   // The step of the printed rule for the unloaded material at rest, at the paper's factor 0.3.
   const double reference_step = 0.3 * scene.discretisation.smoothing_ratio * scene.discretisation.spacing / fastest;
-  recipe.filters.push_back(std::make_unique<ConservativeSmoothing<D>>(
-      form, scene.stabiliser.conservative_smoothing, reference_step));
+  recipe.filters.push_back(
+      std::make_unique<ConservativeSmoothing<D>>(form, scene.stabiliser.conservative_smoothing, reference_step));
 }
 
 template <int D>
 void add_boundaries(const Scene& scene, Recipe<D>& recipe) {
   for (const auto& boundary : scene.boundaries) {
     if (boundary.entry.type != "rigid_wall")
-      throw InputError("boundary '" + boundary.name + "' has type '" + boundary.entry.type + "', which no solver knows");
+      throw InputError("boundary '" + boundary.name + "' has type '" + boundary.entry.type +
+                       "', which no solver knows");
     const Parameters& parameters = boundary.entry.parameters;
-    recipe.boundaries.push_back(std::make_unique<RigidWall<D>>(
-        vector_of<D>(parameters.numbers("point")), vector_of<D>(parameters.numbers("normal")).normalized(),
-        0.5 * scene.discretisation.spacing));
+    recipe.boundaries.push_back(std::make_unique<RigidWall<D>>(vector_of<D>(parameters.numbers("point")),
+                                                               vector_of<D>(parameters.numbers("normal")).normalized(),
+                                                               0.5 * scene.discretisation.spacing));
   }
 }
 

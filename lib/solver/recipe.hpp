@@ -36,12 +36,13 @@ struct Recipe {
   PairNeeds force_needs, filter_needs;
 };
 
-/// Places the bodies of a scene and fills the fields every scene has: position, velocity, mass, density, smoothing length.
+/// Places the bodies of a scene and fills the fields every scene has: position, velocity, mass, density, smoothing
+/// length.
 template <int D>
 FieldStore place_particles(const Scene& scene, std::vector<ParticleRange>& ranges);
 
-/// Translates a scene into a recipe: the only place that knows the names of models. Throws InputError when a choice cannot
-/// work with another.
+/// Translates a scene into a recipe: the only place that knows the names of models. Throws InputError when a choice
+/// cannot work with another.
 template <int D>
 Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& ranges, FieldStore& fields);
 

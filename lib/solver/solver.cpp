@@ -12,8 +12,8 @@ namespace {
 /// Particles per tile: their pairs, some 50 of 32 bytes per particle, stay in the second-level cache.
 constexpr std::int32_t tile_size = 64;
 
-/// Thickness of the neighbour list's skin over the spacing: rows grow by a third, and a rod at 227 m/s keeps its list for
-/// some twenty steps. Measured by benchmark_rod; thinner and thicker skins are slower.
+/// Thickness of the neighbour list's skin over the spacing: rows grow by a third, and a rod at 227 m/s keeps its list
+/// for some twenty steps. Measured by benchmark_rod; thinner and thicker skins are slower.
 constexpr double skin_ratio = 0.3;
 
 }  // namespace
@@ -88,9 +88,12 @@ PairTile<D> Solver<D>::open_tile(const Tile& tile, Scratch& scratch, PairNeeds n
   pairs.neighbour = neighbours_.neighbours();
   for (std::size_t a = 0; a < D; ++a) pairs.gradient[a] = scratch.gradient[a].data();
   pairs.value = scratch.value.data();
-  if (needs.gradient && needs.value) kernel_loops_.both(pairs, records_);
-  else if (needs.gradient) kernel_loops_.gradients(pairs, records_);
-  else if (needs.value) kernel_loops_.values(pairs, records_);
+  if (needs.gradient && needs.value)
+    kernel_loops_.both(pairs, records_);
+  else if (needs.gradient)
+    kernel_loops_.gradients(pairs, records_);
+  else if (needs.value)
+    kernel_loops_.values(pairs, records_);
   return pairs;
 }
 
@@ -144,11 +147,11 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene) {
   return std::make_unique<Solver<3>>(scene);
 }
 
-#define ANVIL_INSTANTIATE(D)                                                                    \
-  template Solver<D>::Solver(const Scene&);                                                     \
-  template PairTile<D> Solver<D>::open_tile(const Tile&, Scratch&, PairNeeds) const;            \
-  template void Solver<D>::pack_geometry(ParticleRange);                                        \
-  template void Solver<D>::pack_motion(ParticleRange);                                          \
+#define ANVIL_INSTANTIATE(D)                                                         \
+  template Solver<D>::Solver(const Scene&);                                          \
+  template PairTile<D> Solver<D>::open_tile(const Tile&, Scratch&, PairNeeds) const; \
+  template void Solver<D>::pack_geometry(ParticleRange);                             \
+  template void Solver<D>::pack_motion(ParticleRange);                               \
   template void Solver<D>::list_neighbours()
 ANVIL_INSTANTIATE(1);
 ANVIL_INSTANTIATE(2);

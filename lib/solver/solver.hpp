@@ -15,14 +15,14 @@ namespace anvil {
 /// What one tile did in one pass; added up in the order of the tiles, so that sums do not depend on threads.
 template <int D>
 struct TileReport {
-  double plastic_work = 0.0;                              // J
-  double viscous_loss = 0.0;                              // J
-  double smoothing_loss = 0.0;                            // J
-  Vec<D> smoothing_impulse = Vec<D>::Zero();              // N s
-  double wall_loss = 0.0;                                 // J
-  Vec<D> wall_impulse = Vec<D>::Zero();                   // N s, on the particles
-  Vec<D> least_displacement, greatest_displacement;       // m, since the neighbour list was made
-  double greatest_growth = 0.0;                           // m, of smoothing lengths since then
+  double plastic_work = 0.0;                               // J
+  double viscous_loss = 0.0;                               // J
+  double smoothing_loss = 0.0;                             // J
+  Vec<D> smoothing_impulse = Vec<D>::Zero();               // N s
+  double wall_loss = 0.0;                                  // J
+  Vec<D> wall_impulse = Vec<D>::Zero();                    // N s, on the particles
+  Vec<D> least_displacement, greatest_displacement;        // m, since the neighbour list was made
+  double greatest_growth = 0.0;                            // m, of smoothing lengths since then
   double step_limit = std::numeric_limits<double>::max();  // s
   std::int32_t limiting_particle = -1;
   std::int32_t broken_particle = -1;  // the first whose numbers are no longer any, or that went where none may
