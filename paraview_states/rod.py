@@ -9,6 +9,7 @@ results/rod_square beside the folder of this file. On the command line:
 RESULT is a result folder or its .pvd file.
 """
 
+import math
 import os
 import sys
 from pathlib import Path
@@ -62,15 +63,18 @@ def show_wall(particles, view):
     display.Diffuse = 0.0
 
 
-def color_plastic_strain(view):
-    """Light grey where nothing has yielded, yellow, red, dark red at 4: the same colours in every frame."""
+def color_plastic_strain(particles, view):
+    """Light grey where nothing has yielded, over yellow to red and dark red at the largest strain: that of the last
+    frame, rounded up, in every frame."""
+    _, largest = particles.PointData["plastic_strain"].GetRange(0)
+    high = max(0.5, math.ceil(2.0 * largest) / 2.0)
     colors = GetColorTransferFunction("plastic_strain")
     colors.ColorSpace = "Lab"
     colors.RGBPoints = [
         0.0, 0.87, 0.87, 0.87,
-        1.2, 0.98, 0.84, 0.36,
-        2.6, 0.87, 0.25, 0.12,
-        4.0, 0.38, 0.02, 0.06,
+        0.30 * high, 0.98, 0.84, 0.36,
+        0.65 * high, 0.87, 0.25, 0.12,
+        high, 0.38, 0.02, 0.06,
     ]
     colors.AutomaticRescaleRangeMode = "Never"
     bar = GetScalarBar(colors, view)
@@ -106,20 +110,20 @@ def aim(view):
     view.CameraFocalPoint = [0.0, 0.0, 0.0]
     view.CameraViewUp = [0.0, 0.0, 1.0]
     ResetCamera(view)
-    view.CameraParallelScale *= 1.2
+    view.CameraParallelScale *= 1.3
 
 
 series = PVDReader(registrationName="rod", FileName=str(find_series()))
 series.UpdatePipeline()
 rod_view = GetActiveViewOrCreate("RenderView")
 show_particles(series, rod_view)
-color_plastic_strain(rod_view)
 show_time(series, rod_view)
 scene = GetAnimationScene()
 scene.UpdateAnimationUsingDataTimeSteps()
 scene.GoToFirst()
 aim(rod_view)
 scene.GoToLast()
+color_plastic_strain(series, rod_view)
 show_wall(series, rod_view)
 Render(rod_view)
 

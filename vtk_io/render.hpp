@@ -15,7 +15,7 @@ struct WallPlane {
   std::array<double, 3> normal{0.0, 0.0, 1.0};  // any length but 0
 };
 
-/// Colours at the two ends of the colour bar, in the unit of the field.
+/// Values at the two ends of the colour bar, in SI units as in the particle files, whatever unit the picture shows.
 struct FieldRange {
   double low = 0.0;
   double high = 1.0;

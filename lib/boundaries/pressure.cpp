@@ -15,7 +15,7 @@ namespace anvil {
 namespace {
 
 /// p = value up to `duration`, zero afterwards.
-class Rectangular final : public PressureHistory {
+class Rectangular final : public LoadHistory {
  public:
   Rectangular(double value, double duration) : value_(value), duration_(duration) {}
   [[nodiscard]] double impulse(double time) const override { return value_ * std::clamp(time, 0.0, duration_); }
@@ -25,7 +25,7 @@ class Rectangular final : public PressureHistory {
 };
 
 /// p = value exp(-t / decay).
-class Exponential final : public PressureHistory {
+class Exponential final : public LoadHistory {
  public:
   Exponential(double value, double decay) : value_(value), decay_(decay) {}
   [[nodiscard]] double impulse(double time) const override { return -value_ * decay_ * std::expm1(-time / decay_); }
@@ -35,7 +35,7 @@ class Exponential final : public PressureHistory {
 };
 
 /// p = value sin(pi t / duration) up to `duration`, zero afterwards.
-class HalfSine final : public PressureHistory {
+class HalfSine final : public LoadHistory {
  public:
   HalfSine(double value, double duration) : value_(value), duration_(duration) {}
   [[nodiscard]] double impulse(double time) const override {
@@ -48,12 +48,13 @@ class HalfSine final : public PressureHistory {
 };
 
 /// Straight between the points of a table, zero before and behind it.
-class Tabulated final : public PressureHistory {
+class Tabulated final : public LoadHistory {
  public:
   explicit Tabulated(const Points& table) : table_(table) {}
   [[nodiscard]] double impulse(double time) const override {
     double sum = 0.0;
     for (std::size_t k = 1; k < table_.size(); ++k) {
+      if (table_[k - 1][0] == table_[k][0]) continue;  // a jump
       const double begin = table_[k - 1][0], end = table_[k][0], from = table_[k - 1][1], to = table_[k][1];
       const double part = std::clamp((time - begin) / (end - begin), 0.0, 1.0);
       sum += (end - begin) * part * (from + 0.5 * part * (to - from));
@@ -68,9 +69,9 @@ class Tabulated final : public PressureHistory {
 void check_table(const Points& table) {
   const bool rising = table.size() > 1 && table[0].size() == 2 && table[0][0] >= 0.0 &&
                       std::adjacent_find(table.begin(), table.end(),
-                                         [](const auto& a, const auto& b) { return !(a[0] < b[0]); }) == table.end();
+                                         [](const auto& a, const auto& b) { return !(a[0] <= b[0]); }) == table.end();
   if (!rising)
-    throw InputError("the table of a pressure must hold two or more pairs [time in s, pressure in Pa] whose times rise from 0 or later");
+    throw InputError("the table of a pressure must hold two or more pairs [time in s, pressure in Pa] whose times begin at 0 or later and never fall");
 }
 
 }  // namespace
@@ -104,7 +105,7 @@ EntryKind pressure_kind() {
           .dimensions = {1}};
 }
 
-std::unique_ptr<PressureHistory> make_pressure_history(const Parameters& parameters) {
+std::unique_ptr<LoadHistory> make_load_history(const Parameters& parameters) {
   const std::string& history = parameters.text("history");
   const std::vector<std::string> needed = history == "tabulated"     ? std::vector<std::string>{"table"}
                                           : history == "exponential" ? std::vector<std::string>{"value", "decay"}

@@ -31,7 +31,8 @@ class VectorView {
   double* first_;
 };
 
-/// The particles' fields. A field exists from the moment somebody requires it: a scene carries only what its terms name.
+/// The particles' fields. A field exists from the moment somebody requires it: a scene carries only what its terms
+/// name.
 class FieldStore {
  public:
   struct Field {
@@ -43,8 +44,8 @@ class FieldStore {
   explicit FieldStore(std::size_t particles) : particles_(particles) {}
   [[nodiscard]] std::size_t particle_count() const { return particles_; }
 
-  /// Allocates the field, zero everywhere, if it is not there yet. Throws std::logic_error when it is there with another
-  /// number of components.
+  /// Allocates the field, zero everywhere, if it is not there yet. Throws std::logic_error when it is there with
+  /// another number of components.
   void require(const FieldKey& key, int components = 1);
   [[nodiscard]] bool has(const FieldKey& key) const { return find(key) != nullptr; }
 

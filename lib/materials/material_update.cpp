@@ -33,7 +33,8 @@ class StrengthAtWork final : public StrengthUpdate<D> {
     }
   }
 
-  double update(ParticleRange range, const double* velocity_gradient, double time_step) const override {
+  double update(ParticleRange range, const double* velocity_gradient, [[maybe_unused]] const double* lateral_rate,
+                double time_step) const override {
     double work = 0.0;
     if constexpr (Law::resists_shear) {
       for (std::size_t i = range.first(); i < range.last(); ++i) {
@@ -41,7 +42,9 @@ class StrengthAtWork final : public StrengthUpdate<D> {
         if constexpr (Law::has_plastic_strain) history.plastic_strain = plastic_strain_[i];
         if (back_stress_ != nullptr) history.back_stress = StrainState::deviator(back_stress_ + components * i);
         Tensor deviator = StrainState::deviator(deviator_ + components * i);
-        const Tensor gradient = lift_gradient<D>(velocity_gradient);
+        Tensor gradient = lift_gradient<D>(velocity_gradient);
+        if constexpr (D == 1)
+          if (lateral_rate != nullptr) gradient(1, 1) = gradient(2, 2) = *lateral_rate++;
         velocity_gradient += D * D;
         const PlasticStep step = update_deviator(law_, deviator, history, gradient, time_step);
         StrainState::store(deviator, deviator_ + components * i);
@@ -61,8 +64,8 @@ class StrengthAtWork final : public StrengthUpdate<D> {
     double energy = 0.0;
     if constexpr (Law::resists_shear) {
       for (std::size_t i = range.first(); i < range.last(); ++i)
-        energy += StrainState::deviator(deviator_ + components * i).squaredNorm() / (4.0 * law_.shear_modulus()) * mass_[i] /
-                  density_[i];
+        energy += StrainState::deviator(deviator_ + components * i).squaredNorm() / (4.0 * law_.shear_modulus()) *
+                  mass_[i] / density_[i];
     }
     return energy;
   }
@@ -98,8 +101,7 @@ class EosAtWork final : public EosUpdate<D> {
 
   [[nodiscard]] double elastic_energy(ParticleRange range) const override {
     double energy = 0.0;
-    for (std::size_t i = range.first(); i < range.last(); ++i)
-      energy += mass_[i] * law_.cold_energy(density_[i]);
+    for (std::size_t i = range.first(); i < range.last(); ++i) energy += mass_[i] * law_.cold_energy(density_[i]);
     return energy;
   }
 

@@ -5,8 +5,8 @@
 
 namespace anvil::ANVIL_SIMD_LEVEL {
 
-/// Fills the pairs of a tile: grad_ij = (dW/dr) x_ij / r and, when wanted, W_ij, both at h_ij = (h_i + h_j)/2, which makes
-/// grad_ij = -grad_ji to the last bit.
+/// Fills the pairs of a tile: grad_ij = (dW/dr) x_ij / r and, when wanted, W_ij, both at h_ij = (h_i + h_j)/2, which
+/// makes grad_ij = -grad_ji to the last bit.
 template <int D, class Kernel, bool Gradient, bool Value>
 void fill_pairs(const PairTile<D>& tile, const PairRecords<D>& records) {
   using L = Lanes<lanes<D>>;
@@ -22,7 +22,11 @@ void fill_pairs(const PairTile<D>& tile, const PairRecords<D>& records) {
         r_squared += x_ij[a] * x_ij[a];
       }
       const L h_inverse = L(2.0) / (L(own[D]) + other[D]);
-      const L q = sqrt(r_squared) * h_inverse;
+      L q;
+      if constexpr (D == 1)
+        q = max(x_ij[0], -x_ij[0]) * h_inverse;
+      else
+        q = sqrt(r_squared) * h_inverse;
       L scale = norm * h_inverse;  // norm / h^D
       for (int a = 1; a < D; ++a) scale = scale * h_inverse;
       const std::int64_t at = k - tile.first[tile.begin];

@@ -15,10 +15,10 @@ namespace {
 
 template <int D, std::size_t... Index>
 constexpr auto kernel_loops(std::index_sequence<Index...>) {
-  return std::array<typename PairLoops<D>::KernelLoops, sizeof...(Index)>{{
-      {&fill_pairs<D, std::variant_alternative_t<Index, Kernel>, true, false>,
-       &fill_pairs<D, std::variant_alternative_t<Index, Kernel>, false, true>,
-       &fill_pairs<D, std::variant_alternative_t<Index, Kernel>, true, true>}...}};
+  return std::array<typename PairLoops<D>::KernelLoops, sizeof...(Index)>{
+      {{&fill_pairs<D, std::variant_alternative_t<Index, Kernel>, true, false>,
+        &fill_pairs<D, std::variant_alternative_t<Index, Kernel>, false, true>,
+        &fill_pairs<D, std::variant_alternative_t<Index, Kernel>, true, true>}...}};
 }
 
 template <int D>

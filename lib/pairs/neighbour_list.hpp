@@ -18,9 +18,9 @@ struct ExtraNeighbour {
 };
 
 /// For each particle all others within reach (h_i + h_j)/2 + skin, so that the list stays complete while the particles
-/// move by less than the skin. Found on a grid of cells into which the particles are sorted; every pair stands twice, once
-/// for each partner. Rows are padded to the width of the vector lanes with the weightless record behind the last particle.
-/// The order of a row follows from the positions alone: the same for any number of threads.
+/// move by less than the skin. Found on a grid of cells into which the particles are sorted; every pair stands twice,
+/// once for each partner. Rows are padded to the width of the vector lanes with the weightless record behind the last
+/// particle. The order of a row follows from the positions alone: the same for any number of threads.
 template <int D>
 class NeighbourList {
  public:

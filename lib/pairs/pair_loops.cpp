@@ -9,11 +9,11 @@
 
 #include "anvil/core/error.hpp"
 
-#define ANVIL_DECLARE_LEVEL(level)           \
-  namespace anvil::level {                   \
-  extern const PairLoops<1> pair_loops_1d;   \
-  extern const PairLoops<2> pair_loops_2d;   \
-  extern const PairLoops<3> pair_loops_3d;   \
+#define ANVIL_DECLARE_LEVEL(level)         \
+  namespace anvil::level {                 \
+  extern const PairLoops<1> pair_loops_1d; \
+  extern const PairLoops<2> pair_loops_2d; \
+  extern const PairLoops<3> pair_loops_3d; \
   }
 
 ANVIL_DECLARE_LEVEL(baseline)

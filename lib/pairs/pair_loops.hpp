@@ -32,8 +32,8 @@ struct PairLoops {
 
   int lanes;  // rows of the neighbour list are padded to a multiple of it
   std::array<KernelLoops, std::variant_size_v<Kernel>> kernels;  // by Kernel::index()
-  /// Appends to `out` the candidates begin .. end-1 nearer to `self` than reach (h_self + h_other)/2 + skin, self itself
-  /// left out; returns how many. `out` has room for all of them and `lanes` more.
+  /// Appends to `out` the candidates begin .. end-1 nearer to `self` than reach (h_self + h_other)/2 + skin, self
+  /// itself left out; returns how many. `out` has room for all of them and `lanes` more.
   int (*collect)(const Candidates<D>&, std::int64_t begin, std::int64_t end, std::int64_t self, double reach,
                  double skin, std::int32_t* out);
   int (*correct_gradients)(const PairTile<D>&, const PairRecords<D>&);

@@ -12,9 +12,9 @@ namespace anvil {
 template <int D>
 inline constexpr int symmetric_components = D == 1 ? 1 : (D == 2 ? 3 : 6);
 
-/// What the pair loops read of a neighbour, packed: a few doubles side by side per particle, so that one neighbour costs
-/// one cache line per record and eight of them are loaded and transposed into vector lanes. One record stands behind
-/// the last particle: what list padding points to. It is far away and weightless, so it adds nothing to any sum.
+/// What the pair loops read of a neighbour, packed: a few doubles side by side per particle, so that one neighbour
+/// costs one cache line per record and eight of them are loaded and transposed into vector lanes. One record stands
+/// behind the last particle: what list padding points to. It is far away and weightless, so it adds nothing to any sum.
 template <int Size>
 class Records {
  public:

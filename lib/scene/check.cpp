@@ -126,7 +126,7 @@ void check_pressures(const Scene& scene, Contradictions& found) {
     if (std::none_of(scene.bodies.begin(), scene.bodies.end(), [&](const auto& one) { return one.name == body; }))
       found.push_back({fmt::format("boundary.{}.body", boundary.name), fmt::format("no body is named '{}'", body)});
     try {
-      (void)make_pressure_history(boundary.entry.parameters);
+      (void)make_load_history(boundary.entry.parameters);
     } catch (const InputError& error) {
       found.push_back({fmt::format("boundary.{}.history", boundary.name), error.what()});
     }

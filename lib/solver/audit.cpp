@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conserved quantities and where they went. Sums run over the particles in their order, in one thread: a few numbers per
-// particle, some hundred times per run.
+// Conserved quantities and where they went. Sums run over the particles in their order, in one thread: a few numbers
+// per particle, some hundred times per run.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -70,8 +70,8 @@ std::vector<AuditValue> Solver<D>::audit() const {
     centre += mass_[i] * position_[i];
   }
   const double kinetic = kinetic_energy(), elastic = elastic_energy();
-  const double total = kinetic + elastic + ledger_.plastic_work + ledger_.viscous_loss + ledger_.smoothing_loss +
-                       ledger_.wall_loss;
+  const double total =
+      kinetic + elastic + ledger_.plastic_work + ledger_.viscous_loss + ledger_.smoothing_loss + ledger_.wall_loss;
   const Vec<D> present = momentum();
   const Vec<D> unexplained = present - ledger_.start_momentum - ledger_.wall_impulse - ledger_.smoothing_impulse -
                              ledger_.pressure_impulse;
@@ -101,10 +101,10 @@ std::vector<AuditValue> Solver<D>::audit() const {
   return row;
 }
 
-#define ANVIL_INSTANTIATE(D)                                        \
-  template double Solver<D>::kinetic_energy() const;                \
-  template double Solver<D>::elastic_energy() const;                \
-  template Vec<D> Solver<D>::momentum() const;                      \
+#define ANVIL_INSTANTIATE(D)                         \
+  template double Solver<D>::kinetic_energy() const; \
+  template double Solver<D>::elastic_energy() const; \
+  template Vec<D> Solver<D>::momentum() const;       \
   template std::vector<AuditValue> Solver<D>::audit() const
 ANVIL_INSTANTIATE(1);
 ANVIL_INSTANTIATE(2);

@@ -25,8 +25,8 @@ Explanation Solver<D>::explain() const {
 
   const auto doubles = [](int count) { return count * static_cast<int>(sizeof(double)); };
   for (const auto& field : fields_.fields())
-    explanation.fields.push_back({std::string(field.key->name), std::string(field.key->unit),
-                                  doubles(field.components), std::string(field.key->purpose)});
+    explanation.fields.push_back({std::string(field.key->name), std::string(field.key->unit), doubles(field.components),
+                                  std::string(field.key->purpose)});
   const auto add_record = [&](const char* name, int size, const char* purpose) {
     explanation.fields.push_back({name, "", doubles(size), purpose});
   };
@@ -40,7 +40,8 @@ Explanation Solver<D>::explain() const {
   if (particle_count() > 0) {
     const auto particles = static_cast<double>(particle_count());
     explanation.neighbours_per_particle = static_cast<double>(count_pairs()) / particles;
-    explanation.bytes_per_particle += static_cast<int>(std::lround(static_cast<double>(neighbours_.bytes()) / particles));
+    explanation.bytes_per_particle +=
+        static_cast<int>(std::lround(static_cast<double>(neighbours_.bytes()) / particles));
     explanation.first_time_step = step_limit_;
     explanation.steps_expected = static_cast<std::int64_t>(std::ceil((scene_.time.end - time_) / step_limit_));
   }

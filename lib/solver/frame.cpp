@@ -61,8 +61,8 @@ Frame Solver<D>::frame() const {
     write_six(deviator, &deviatoric.values[6 * i]);
     write_six(deviator - pressure_[i] * Tensor::Identity(), &stress.values[6 * i]);
   }
-  frame.arrays = {std::move(id),       std::move(body),     std::move(initial), std::move(velocity),
-                  std::move(density),  std::move(pressure), std::move(stress),  std::move(smoothing_length)};
+  frame.arrays = {std::move(id),      std::move(body),     std::move(initial), std::move(velocity),
+                  std::move(density), std::move(pressure), std::move(stress),  std::move(smoothing_length)};
   if (fields_.has(field::plastic_strain)) {
     FrameArray plastic_strain = array_of(field::plastic_strain, 1, particles);
     const auto values = fields_.scalar(field::plastic_strain);

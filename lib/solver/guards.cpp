@@ -18,7 +18,8 @@ std::string in_brackets(const Vec<D>& vector) {
 
 }  // namespace
 
-/// Stops the run at the first particle, in the order of the tiles, that a pass reported; then at a step that has collapsed.
+/// Stops the run at the first particle, in the order of the tiles, that a pass reported; then at a step that has
+/// collapsed.
 template <int D>
 void Solver<D>::check_reports() const {
   for (const auto& report : reports_) {
@@ -35,9 +36,10 @@ void Solver<D>::check_reports() const {
   }
   const double least = scene_.time.minimum_step_fraction * first_step_limit_;
   if (!reports_.empty() && step_limit_ < least)
-    stop_at(limiting_particle_,
-            fmt::format("it asks for a time step of {:.3g} s, less than {:g} of the first one (time.minimum_step_fraction)",
-                        step_limit_, scene_.time.minimum_step_fraction));
+    stop_at(
+        limiting_particle_,
+        fmt::format("it asks for a time step of {:.3g} s, less than {:g} of the first one (time.minimum_step_fraction)",
+                    step_limit_, scene_.time.minimum_step_fraction));
 }
 
 template <int D>

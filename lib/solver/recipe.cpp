@@ -19,7 +19,8 @@ const MaterialDescription& material_of(const Scene& scene, const BodyDescription
   const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
                                   [&](const MaterialDescription& material) { return material.name == body.material; });
   if (found == scene.materials.end())
-    throw InputError("body '" + body.name + "' names material '" + body.material + "', which the scene does not define");
+    throw InputError("body '" + body.name + "' names material '" + body.material +
+                     "', which the scene does not define");
   return *found;
 }
 
@@ -71,8 +72,8 @@ void add_filters(const Scene& scene, Recipe<D>& recipe) {
   for (const auto& material : scene.materials) fastest = std::max(fastest, elastic_wave_speed<D>(material));
   // The step of the printed rule for the unloaded material at rest, at the paper's factor 0.3.
   const double reference_step = 0.3 * scene.discretisation.smoothing_ratio * scene.discretisation.spacing / fastest;
-  recipe.filters.push_back(std::make_unique<ConservativeSmoothing<D>>(
-      form, scene.stabiliser.conservative_smoothing, reference_step));
+  recipe.filters.push_back(
+      std::make_unique<ConservativeSmoothing<D>>(form, scene.stabiliser.conservative_smoothing, reference_step));
 }
 
 template <int D>
@@ -80,11 +81,12 @@ void add_boundaries(const Scene& scene, Recipe<D>& recipe) {
   for (const auto& boundary : scene.boundaries) {
     if (boundary.entry.type == "pressure" && D == 1) continue;
     if (boundary.entry.type != "rigid_wall")
-      throw InputError("boundary '" + boundary.name + "' has type '" + boundary.entry.type + "', which no solver knows");
+      throw InputError("boundary '" + boundary.name + "' has type '" + boundary.entry.type +
+                       "', which no solver knows");
     const Parameters& parameters = boundary.entry.parameters;
-    recipe.boundaries.push_back(std::make_unique<RigidWall<D>>(
-        vector_of<D>(parameters.numbers("point")), vector_of<D>(parameters.numbers("normal")).normalized(),
-        0.5 * scene.discretisation.spacing));
+    recipe.boundaries.push_back(std::make_unique<RigidWall<D>>(vector_of<D>(parameters.numbers("point")),
+                                                               vector_of<D>(parameters.numbers("normal")).normalized(),
+                                                               0.5 * scene.discretisation.spacing));
   }
 }
 
@@ -100,7 +102,7 @@ PressureLoad make_load(const Scene& scene, const BoundaryDescription& boundary, 
   const auto ends = std::minmax_element(positions.begin() + range.begin, positions.begin() + range.end);
   const bool left = parameters.text("face") == "left";
   return {static_cast<std::size_t>((left ? ends.first : ends.second) - positions.begin()), left ? 1.0 : -1.0,
-          make_pressure_history(parameters)};
+          make_load_history(parameters)};
 }
 
 /// What needs the order of particles in a line.
@@ -172,9 +174,12 @@ Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& rang
   recipe.variable_smoothing_length = scene.discretisation.variable_smoothing_length;
   for (std::size_t b = 0; b < ranges.size(); ++b) {
     const MaterialDescription& material = material_of(scene, scene.bodies[b]);
-    recipe.bodies.push_back({scene.bodies[b].name, ranges[b],
-                             make_strength_update<D>(make_strength(material.strength), fields),
-                             make_eos_update<D>(make_eos(material.eos, material.density), fields)});
+    const Strength strength = make_strength(material.strength);
+    const Eos eos = make_eos(material.eos, material.density);
+    recipe.bodies.push_back({scene.bodies[b].name, ranges[b], make_strength_update<D>(strength, fields),
+                             make_eos_update<D>(eos, fields), nullptr});
+    if (scene.domain.strain_state == "uniaxial_stress")
+      recipe.bodies.back().lateral_release = make_lateral_release(strength, eos, fields);
   }
   add_forces(scene, fields, recipe);
   add_filters(scene, recipe);

@@ -8,6 +8,7 @@
 #include "anvil/boundaries/boundary.hpp"
 #include "anvil/boundaries/face_ghosts.hpp"
 #include "anvil/kernels/kernel.hpp"
+#include "anvil/materials/lateral_release.hpp"
 #include "anvil/materials/material_update.hpp"
 #include "anvil/scene/scene.hpp"
 #include "anvil/terms/force_term.hpp"
@@ -23,6 +24,7 @@ struct Body {
   ParticleRange range;
   std::unique_ptr<StrengthUpdate<D>> strength;
   std::unique_ptr<EosUpdate<D>> eos;
+  std::unique_ptr<LateralRelease> lateral_release;  // in uniaxial stress
 };
 
 /// What a step of a scene is made of, in order. Nothing in it knows the names of the scene's models any more.
@@ -43,12 +45,13 @@ struct Recipe {
   PairNeeds force_needs, filter_needs;
 };
 
-/// Places the bodies of a scene and fills the fields every scene has: position, velocity, mass, density, smoothing length.
+/// Places the bodies of a scene and fills the fields every scene has: position, velocity, mass, density, smoothing
+/// length.
 template <int D>
 FieldStore place_particles(const Scene& scene, std::vector<ParticleRange>& ranges);
 
-/// Translates a scene into a recipe: the only place that knows the names of models. Throws InputError when a choice cannot
-/// work with another.
+/// Translates a scene into a recipe: the only place that knows the names of models. Throws InputError when a choice
+/// cannot work with another.
 template <int D>
 Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& ranges, FieldStore& fields);
 

@@ -12,8 +12,8 @@ namespace {
 /// Particles per tile: their pairs, some 50 of 32 bytes per particle, stay in the second-level cache.
 constexpr std::int32_t tile_size = 64;
 
-/// Thickness of the neighbour list's skin over the spacing: rows grow by a third, and a rod at 227 m/s keeps its list for
-/// some twenty steps. Measured by benchmark_rod; thinner and thicker skins are slower.
+/// Thickness of the neighbour list's skin over the spacing: rows grow by a third, and a rod at 227 m/s keeps its list
+/// for some twenty steps. Measured by benchmark_rod; thinner and thicker skins are slower.
 constexpr double skin_ratio = 0.3;
 
 }  // namespace
@@ -80,6 +80,7 @@ void Solver<D>::size_scratch() {
     scratch.per_particle.resize(static_cast<std::size_t>(tile_size * D * D));
     scratch.loss.resize(tile_size);
     scratch.sound_speed.resize(tile_size);
+    if (D == 1) scratch.lateral_rate.resize(tile_size);
   }
 }
 
@@ -143,11 +144,11 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene) {
   return std::make_unique<Solver<3>>(scene);
 }
 
-#define ANVIL_INSTANTIATE(D)                                                                    \
-  template Solver<D>::Solver(const Scene&);                                                     \
-  template PairTile<D> Solver<D>::open_tile(const Tile&, Scratch&, PairNeeds) const;            \
-  template void Solver<D>::pack_geometry(ParticleRange);                                        \
-  template void Solver<D>::pack_motion(ParticleRange);                                          \
+#define ANVIL_INSTANTIATE(D)                                                         \
+  template Solver<D>::Solver(const Scene&);                                          \
+  template PairTile<D> Solver<D>::open_tile(const Tile&, Scratch&, PairNeeds) const; \
+  template void Solver<D>::pack_geometry(ParticleRange);                             \
+  template void Solver<D>::pack_motion(ParticleRange);                               \
   template void Solver<D>::list_neighbours()
 ANVIL_INSTANTIATE(1);
 ANVIL_INSTANTIATE(2);

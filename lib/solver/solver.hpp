@@ -71,7 +71,7 @@ class Solver final : public Simulation {
   struct Scratch {  // of one thread
     std::vector<double> gradient[D], plain_gradient[D], value;
     std::vector<double> per_particle;  // velocity gradients, accelerations or changes of the tile
-    std::vector<double> loss, sound_speed;
+    std::vector<double> loss, sound_speed, lateral_rate;
   };
 
   // step.cpp, in the order of a step
@@ -94,7 +94,8 @@ class Solver final : public Simulation {
   void apply_boundaries(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
   void deform_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
   void respond_tile(const Tile& tile, Scratch& scratch, TileReport<D>& report);
-  void update_density(ParticleRange range, const double* velocity_gradient, double time_step);
+  void update_density(ParticleRange range, const double* velocity_gradient, const double* lateral_rate,
+                      double time_step);
   void pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report);
 
   // tiles.cpp

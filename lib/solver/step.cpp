@@ -11,6 +11,7 @@ namespace anvil {
 
 template <int D>
 void Solver<D>::advance(double latest) {
+  if (scratch_.size() < static_cast<std::size_t>(thread_count())) size_scratch();  // threads were added meanwhile
   const double time_step = choose_time_step(latest);
   accelerate(0.5 * (time_step_ + time_step));  // leapfrog: from the middle of the last step to that of this one
   filter_velocities(time_step);
@@ -78,8 +79,9 @@ void Solver<D>::filter_velocities(double time_step) {
 }
 
 // Energy account. Forces, filters and boundaries each give a particle an impulse in the step from one half time to the
-// next. The work of an impulse is its product with the mean of the velocities before and after all of them: only then do
-// the parts add up to the change of kinetic energy, and is the work of the stresses the one that strains the material.
+// next. The work of an impulse is its product with the mean of the velocities before and after all of them: only then
+// do the parts add up to the change of kinetic energy, and is the work of the stresses the one that strains the
+// material.
 
 template <int D>
 void Solver<D>::filter_tile(const Tile& tile, const VelocityFilter<D>& filter, Scratch& scratch, double time_step,
@@ -138,6 +140,7 @@ void Solver<D>::move_tile(const Tile& tile, double time_step, TileReport<D>& rep
   report.least_displacement.setConstant(std::numeric_limits<double>::max());
   report.greatest_displacement = -report.least_displacement;
   report.greatest_growth = 0.0;
+  report.broken_particle = -1;
   for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
     position_[i] += time_step * velocity_[i];
     const Vec<D> displacement = position_[i] - listed_position_[i];
@@ -151,8 +154,8 @@ void Solver<D>::move_tile(const Tile& tile, double time_step, TileReport<D>& rep
   }
 }
 
-/// The list stays complete while no pair has come nearer by more than the skin. How far two particles can have approached
-/// is bounded by the box around all displacements, which does not grow when everything moves alike.
+/// The list stays complete while no pair has come nearer by more than the skin. How far two particles can have
+/// approached is bounded by the box around all displacements, which does not grow when everything moves alike.
 template <int D>
 void Solver<D>::refresh_neighbours() {
   if (reports_.empty()) return;
@@ -210,8 +213,13 @@ void Solver<D>::deform_tile(const Tile& tile, Scratch& scratch, double time_step
     const PairTile<D> pairs = open_tile(tile, scratch, {.gradient = true});
     report.uncorrected = pairs.uncorrected;
     loops_.velocity_gradient(pairs, records_, velocity_gradient);
-    update_density(tile.range, velocity_gradient, time_step);
-    report.plastic_work = body.strength->update(tile.range, velocity_gradient, time_step);
+    const double* lateral_rate = nullptr;
+    if (body.lateral_release) {
+      body.lateral_release->find_rates(tile.range, velocity_gradient, time_step, scratch.lateral_rate.data());
+      lateral_rate = scratch.lateral_rate.data();
+    }
+    update_density(tile.range, velocity_gradient, lateral_rate, time_step);
+    report.plastic_work = body.strength->update(tile.range, velocity_gradient, lateral_rate, time_step);
   }
 }
 
@@ -224,22 +232,24 @@ void Solver<D>::respond_tile(const Tile& tile, Scratch& scratch, TileReport<D>& 
   pack_limit_and_check(tile, scratch.sound_speed.data(), report);
 }
 
-/// drho/dt = -rho div v and dh/dt = (h/d) div v over one step, by the midpoint rule.
+/// drho/dt = -rho div v and dh/dt = (h/d) div v over one step, by the midpoint rule. The smoothing length belongs to the
+/// directions in which particles stand side by side: what a bar does across its axis does not count.
 template <int D>
-void Solver<D>::update_density(ParticleRange range, const double* velocity_gradient, double time_step) {
+void Solver<D>::update_density(ParticleRange range, const double* velocity_gradient, const double* lateral_rate,
+                               double time_step) {
   for (std::size_t i = range.first(); i < range.last(); ++i, velocity_gradient += D * D) {
     double divergence = 0.0;
     for (int a = 0; a < D; ++a) divergence += velocity_gradient[a * (D + 1)];
-    const double half = 0.5 * time_step * divergence;
+    const double half_stretch = 0.5 * time_step * divergence;
+    const double half = lateral_rate == nullptr ? half_stretch : half_stretch + time_step * *lateral_rate++;
     density_[i] *= (1.0 - half) / (1.0 + half);
-    if (smoothing_length_varies_) smoothing_length_[i] *= (1.0 + half / D) / (1.0 - half / D);
+    if (smoothing_length_varies_) smoothing_length_[i] *= (1.0 + half_stretch / D) / (1.0 - half_stretch / D);
   }
 }
 
 /// The time step rule dt = cfl h / (c + |v|), c the longitudinal wave speed (Long 2007, equation 12).
 template <int D>
-void Solver<D>::pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared,
-                                     TileReport<D>& report) {
+void Solver<D>::pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report) {
   const double shear_modulus = recipe_.bodies[static_cast<std::size_t>(tile.body)].strength->shear_modulus();
   report.step_limit = std::numeric_limits<double>::max();
   for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {

@@ -31,8 +31,7 @@ class ConservativeSmoothing final : public VelocityFilter<D> {
   }
   [[nodiscard]] PairNeeds needs() const override { return {.value = true, .medium = form_ != SmoothingForm::plain}; }
 
-  void change(const PairTile<D>& tile, const PairRecords<D>& records, double time_step,
-              double* change) const override {
+  void change(const PairTile<D>& tile, const PairRecords<D>& records, double time_step, double* change) const override {
     const PairLoops<D>& loops = pair_loops<D>();
     (form_ == SmoothingForm::plain ? loops.plain_smoothing : loops.pairwise_smoothing)(tile, records, change);
     const double strength =

@@ -9,8 +9,8 @@
 
 namespace anvil {
 
-/// One sum over pairs that accelerates particles. A term is made with the field store: it requires the fields it reads and
-/// keeps the views, so that a scene without the term has neither. One virtual call serves a whole tile.
+/// One sum over pairs that accelerates particles. A term is made with the field store: it requires the fields it reads
+/// and keeps the views, so that a scene without the term has neither. One virtual call serves a whole tile.
 template <int D>
 class ForceTerm {
  public:

@@ -55,7 +55,7 @@ class RodState(unittest.TestCase):
         self.assertEqual(report["cells"], [PARTICLES] * FRAMES)
 
     def check_picture(self, report):
-        # Rod, wall and colour bar cover about a sixth of the picture. Red is the foot with a plastic strain above 2.
+        # Rod, wall and colour bar cover about a sixth of the picture. Red is the most deformed part, the foot.
         self.assertGreater(report["drawn_share"], 0.08)
         self.assertLess(report["drawn_share"], 0.4)
         self.assertGreater(report["red_share"], 0.002)

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "anvil/exact/plate_reference.hpp"
+
+#include <algorithm>
+
+#include "anvil/core/error.hpp"
+
+namespace anvil {
+namespace {
+
+// Of the stress scale. Beyond it nothing would be left of the solution.
+constexpr double coarsest_wave = 0.05;
+
+std::vector<WaveProfile> track(const PlateProblem& problem, const std::vector<double>& times,
+                               const TrackingAccuracy& accuracy) {
+  FrontTracking fronts(problem, times.back(), accuracy);
+  std::vector<WaveProfile> profiles;
+  for (const double time : times) {
+    fronts.advance_to(time);
+    profiles.push_back(fronts.profile());
+  }
+  return profiles;
+}
+
+/// Raises accuracy.smallest until the waves are few enough.
+std::vector<WaveProfile> track_what_fits(const PlateProblem& problem, const std::vector<double>& times,
+                                         TrackingAccuracy& accuracy) {
+  for (;; accuracy.smallest *= 10.0) {
+    try {
+      return track(problem, times, accuracy);
+    } catch (const TooManyFronts&) {
+      if (accuracy.smallest * 10.0 > coarsest_wave) throw;
+    }
+  }
+}
+
+}  // namespace
+
+PlateReference solve_plate(const PlateProblem& problem, const std::vector<double>& times,
+                           const TrackingAccuracy& accuracy) {
+  if (times.empty() || !std::is_sorted(times.begin(), times.end()) || times.front() < 0.0)
+    throw InputError("the times of an exact solution begin at 0 or later and ascend");
+  PlateReference reference;
+  reference.accuracy = accuracy;
+  reference.profiles = track_what_fits(problem, times, reference.accuracy);
+
+  TrackingAccuracy coarse = reference.accuracy;
+  coarse.step *= 2.0;
+  coarse.smallest *= 10.0;
+  const std::vector<WaveProfile> coarser = track_what_fits(problem, times, coarse);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double mean = mean_stress(reference.profiles[i]);
+    const double difference = mean_stress_difference(reference.profiles[i], coarser[i]);
+    reference.relative_errors.push_back(mean > 0.0 ? difference / mean : 0.0);
+  }
+  return reference;
+}
+
+}  // namespace anvil
