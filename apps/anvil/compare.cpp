@@ -53,7 +53,8 @@ void print_heading(const Provenance& run, const Reference& reference) {
 void print_quantities(const std::vector<ComparedQuantity>& quantities) {
   std::vector<TableRow> rows = {{"quantity", "unit", "this run", "reference", "+-", "deviation", "allowed", "verdict"}};
   for (const auto& quantity : quantities)
-    rows.push_back({quantity.name, quantity.unit.empty() ? "-" : quantity.unit, std::isnan(quantity.value) ? "none" : fmt::format("{:.5g}", quantity.value),
+    rows.push_back({quantity.name, quantity.unit.empty() ? "-" : quantity.unit,
+                    std::isnan(quantity.value) ? "none" : fmt::format("{:.5g}", quantity.value),
                     quantity.reference ? fmt::format("{:.5g}", *quantity.reference) : "-",
                     quantity.reference ? fmt::format("{:.2g}", quantity.uncertainty) : "-",
                     quantity.unit == "spacing" ? "-" : percent(quantity.deviation),
