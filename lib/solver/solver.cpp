@@ -10,7 +10,7 @@ namespace anvil {
 namespace {
 
 /// Particles per tile: the gradients of their pairs, some 70 of 24 bytes per particle, stay in the second-level cache.
-/// Tiles of 32 and 128 took the same time within 2 % (benchmark_rod).
+/// Tiles of 32 and 128 took 1 to 4 % less time in two runs of benchmark_rod, no more than its noise.
 constexpr std::int32_t tile_size = 64;
 
 /// Thickness of the neighbour list's skin over the spacing: rows grow by a third, and a rod at 227 m/s keeps its list
