@@ -33,6 +33,7 @@ Reference reference_of(const Scene& scene) {
 }
 
 std::string percent(double share) {
+  if (std::isnan(share)) return "-";
   const double value = 100.0 * share;
   return std::abs(value) < 0.01 && value != 0.0 ? fmt::format("{:+.1e} %", value) : fmt::format("{:+.2f} %", value);
 }
@@ -42,10 +43,18 @@ std::string verdict(const ComparedQuantity& quantity) {
   return quantity.within() ? "fine" : "OUTSIDE";
 }
 
+void print_heading(const Provenance& run, const Reference& reference) {
+  fmt::print("{}, {} particles, t = {:.6g} s\n", run.title, run.particles, run.time);
+  fmt::print("cost: {} steps, {:.1f} s with {} threads, {:.3g} particle-steps per second\n", run.steps - run.first_step,
+             run.wall_time, run.threads, run.particle_steps_per_second);
+  fmt::print("reference: {}\n\n", reference.title.empty() ? "none" : reference.title);
+}
+
 void print_quantities(const std::vector<ComparedQuantity>& quantities) {
   std::vector<TableRow> rows = {{"quantity", "unit", "this run", "reference", "+-", "deviation", "allowed", "verdict"}};
   for (const auto& quantity : quantities)
-    rows.push_back({quantity.name, quantity.unit.empty() ? "-" : quantity.unit, fmt::format("{:.5g}", quantity.value),
+    rows.push_back({quantity.name, quantity.unit.empty() ? "-" : quantity.unit,
+                    std::isnan(quantity.value) ? "none" : fmt::format("{:.5g}", quantity.value),
                     quantity.reference ? fmt::format("{:.5g}", *quantity.reference) : "-",
                     quantity.reference ? fmt::format("{:.2g}", quantity.uncertainty) : "-",
                     quantity.unit == "spacing" ? "-" : percent(quantity.deviation),
@@ -94,8 +103,7 @@ int execute_compare(const Arguments& arguments) {
   const Result result = read_result(folder, run);
   const Reference reference = reference_of(result.scene);
   const auto quantities = compare(result, reference, result.scene.compare.tolerance);
-  fmt::print("{}, {} particles, t = {:.6g} s\nreference: {}\n\n", run.title, run.particles, result.frame.time,
-             reference.title.empty() ? "none" : reference.title);
+  print_heading(run, reference);
   print_quantities(quantities);
   print_energies(result.history);
   if (values->count("csv") != 0) write_csv((*values)["csv"].as<std::string>(), quantities);

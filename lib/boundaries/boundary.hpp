@@ -19,8 +19,8 @@ class Boundary {
 
   [[nodiscard]] virtual std::string_view name() const = 0;
   [[nodiscard]] virtual std::string_view purpose() const = 0;
-  /// Changes the velocities of the range (m/s) so that a move of time_step (s) respects the boundary. What it changes is
-  /// the boundary's impulse: the solver keeps the account.
+  /// Changes the velocities of the range (m/s) so that a move of time_step (s) respects the boundary. What it changes
+  /// is the boundary's impulse: the solver keeps the account.
   virtual void correct_velocities(ParticleRange range, VectorView<D> positions, VectorView<D> velocities,
                                   double time_step) const = 0;
   /// True for a position that no particle may take.

@@ -12,14 +12,13 @@ template <int D>
 void Solver<D>::load_faces(double kick) {
   if constexpr (D == 1) {
     const double begin = time_ - 0.5 * time_step_;
-    std::vector<double> face_stress;
     for (std::size_t k = 0; k < load_steps_.size(); ++k) {
       const PressureLoad& load = recipe_.loads[k];
       const double impulse = load.history->impulse(begin + kick) - load.history->impulse(begin);
       load_steps_[k] = {load.inward * impulse, velocity_[load.particle][0]};
-      face_stress.push_back(-impulse / kick);
+      face_stress_[k] = -impulse / kick;
     }
-    if (recipe_.face_ghosts) recipe_.face_ghosts->show(records_, recipe_.loads, face_stress);
+    if (recipe_.face_ghosts) recipe_.face_ghosts->show(records_, recipe_.loads, face_stress_);
   }
 }
 

@@ -146,6 +146,7 @@ class Solver final : public Simulation {
     double velocity_before = 0.0;  // m/s, of its particle
   };
   std::vector<LoadStep> load_steps_;
+  std::vector<double> face_stress_;  // Pa, by load: the mean over the kick
 
   double skin_ = 0.0;  // m
   double time_ = 0.0, time_step_ = 0.0, step_limit_ = 0.0, first_step_limit_ = 0.0;

@@ -104,6 +104,8 @@ void Solver<D>::move(double time_step) {
   for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
     if (!recipe_.boundaries.empty()) apply_boundaries(tile, scratch, time_step, report);
     move_tile(tile, time_step, report);
+    pack_geometry(tile.range);
+    pack_motion(tile.range);
   });
   for (const auto& report : reports_) {
     ledger_.wall_impulse += report.wall_impulse;
@@ -171,10 +173,6 @@ void Solver<D>::refresh_neighbours() {
 
 template <int D>
 void Solver<D>::strain(double time_step) {
-  for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) {
-    pack_geometry(tile.range);
-    pack_motion(tile.range);
-  });
   if constexpr (D == 1)
     if (recipe_.face_ghosts) recipe_.face_ghosts->hide(records_);
   if (recipe_.transport && time_step > 0.0) {  // its densities come before any stress of the step
