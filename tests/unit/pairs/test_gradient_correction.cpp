@@ -59,7 +59,9 @@ TYPED_TEST(GradientCorrectionIn, LeavesParticlesThatLackNeighboursAlone) {
   const PairTile<D> tile = cloud.tile();
   const auto plain = cloud.gradient[0];
   EXPECT_EQ(pair_loops<D>().correct_gradients(tile, cloud.records), D == 1 ? 1 : 3);
-  if (D > 1) EXPECT_EQ(cloud.gradient[0], plain);
+  if (D > 1) {
+    EXPECT_EQ(cloud.gradient[0], plain);
+  }
 }
 
 }  // namespace
