@@ -87,7 +87,7 @@ class Solver final : public Simulation {
   void update_density(ParticleRange range, const double* velocity_gradient, double time_step);
   void pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report);
 
-  // tiles.cpp
+  // solver.cpp and tiles.hpp
   template <class Work>
   void for_each_tile(Work&& work);
   PairTile<D> open_tile(const Tile& tile, Scratch& scratch, PairNeeds needs) const;
