@@ -137,16 +137,20 @@ void check_pressures(const Scene& scene, Contradictions& found) {
 void check_method(const Scene& scene, Contradictions& found) {
   const auto& [method, form] = std::pair(scene.discretisation.method, scene.discretisation.momentum_form);
   if (method == "cspm" && form != "difference")
-    found.push_back({"discretisation.momentum_form",
-                     fmt::format("{} does not go with cspm, which takes stress differences; leave the key out, or choose "
-                                 "the method kernel_gradient_correction", form)});
+    found.push_back(
+        {"discretisation.momentum_form",
+         fmt::format("{} does not go with cspm, which takes stress differences; leave the key out, or choose "
+                     "the method kernel_gradient_correction",
+                     form)});
   if (method == "kernel_gradient_correction" && form == "difference")
     found.push_back({"discretisation.momentum_form",
                      "difference with corrected gradients is the method cspm; kernel_gradient_correction takes a sum"});
   if (scene.shock.method == "fct" && scene.domain.dimension != 1)
-    found.push_back({"shock.method",
-                     fmt::format("flux-corrected transport needs particles in one line, and this scene has {} dimensions; "
-                                 "use artificial_viscosity", scene.domain.dimension)});
+    found.push_back(
+        {"shock.method",
+         fmt::format("flux-corrected transport needs particles in one line, and this scene has {} dimensions; "
+                     "use artificial_viscosity",
+                     scene.domain.dimension)});
 }
 
 void check_normals(const Scene& scene, Contradictions& found) {

@@ -5,9 +5,9 @@
 
 namespace anvil {
 
-/// Loads act with the mean pressure of the time that the kick spans, which gives the whole impulse of a history whatever
-/// the steps. Where stress differences are taken, the face stress enters through the images behind the face; sums leave
-/// a face free by themselves, and there the load is a force on the last particle.
+/// Loads act with the mean pressure of the time that the kick spans, which gives the whole impulse of a history
+/// whatever the steps. Where stress differences are taken, the face stress enters through the images behind the face;
+/// sums leave a face free by themselves, and there the load is a force on the last particle.
 template <int D>
 void Solver<D>::load_faces(double kick) {
   if constexpr (D == 1) {
@@ -71,11 +71,11 @@ void Solver<D>::transport_densities() {
   }
 }
 
-#define ANVIL_INSTANTIATE(D)                           \
-  template void Solver<D>::load_faces(double);         \
-  template void Solver<D>::kick_loaded_faces();        \
-  template void Solver<D>::account_loads();            \
-  template void Solver<D>::transport_velocities();     \
+#define ANVIL_INSTANTIATE(D)                       \
+  template void Solver<D>::load_faces(double);     \
+  template void Solver<D>::kick_loaded_faces();    \
+  template void Solver<D>::account_loads();        \
+  template void Solver<D>::transport_velocities(); \
   template void Solver<D>::transport_densities()
 ANVIL_INSTANTIATE(1);
 ANVIL_INSTANTIATE(2);

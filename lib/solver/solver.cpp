@@ -100,9 +100,12 @@ PairTile<D> Solver<D>::open_tile(const Tile& tile, Scratch& scratch, PairNeeds n
   }
   pairs.value = scratch.value.data();
   const bool gradient = needs.gradient || needs.plain_gradient;
-  if (gradient && needs.value) kernel_loops_.both(pairs, records_);
-  else if (gradient) kernel_loops_.gradients(pairs, records_);
-  else if (needs.value) kernel_loops_.values(pairs, records_);
+  if (gradient && needs.value)
+    kernel_loops_.both(pairs, records_);
+  else if (gradient)
+    kernel_loops_.gradients(pairs, records_);
+  else if (needs.value)
+    kernel_loops_.values(pairs, records_);
   if (correct) pairs.uncorrected = loops_.correct_gradients(pairs, records_);
   return pairs;
 }

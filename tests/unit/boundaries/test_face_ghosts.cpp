@@ -63,14 +63,17 @@ TEST(FaceGhosts, OpenAtGapsOnly) {
   LoadedLine whole(1.0, positions);
   for (std::size_t i = 20; i < positions.size(); ++i) positions[i][0] += 3.0 * Cloud<1>::spacing;
   LoadedLine parted(1.0, positions);
-  const auto images_of = [](const LoadedLine& line) { return line.cloud.records.geometry.count() - line.cloud.count - 1; };
+  const auto images_of = [](const LoadedLine& line) {
+    return line.cloud.records.geometry.count() - line.cloud.count - 1;
+  };
   EXPECT_EQ(images_of(parted), 2 * images_of(whole));
   EXPECT_NEAR(parted.total_force(0.0), 0.0, 1e-12 * 40 * 2e9);
 }
 
 TEST(FaceGhosts, HiddenAddNothingToTheVelocityGradient) {
   LoadedLine line(1.0, jittered_lattice<1>(40, Cloud<1>::spacing, 0.0));
-  for (std::size_t i = 0; i < line.cloud.count; ++i) line.cloud.records.motion[i][0] = 5.0 * line.cloud.position()[i][0];
+  for (std::size_t i = 0; i < line.cloud.count; ++i)
+    line.cloud.records.motion[i][0] = 5.0 * line.cloud.position()[i][0];
   line.ghosts->hide(line.cloud.records);
   const PairTile<1> tile = line.cloud.tile();
   (void)pair_loops<1>().correct_gradients(tile, line.cloud.records);

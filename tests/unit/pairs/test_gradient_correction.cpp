@@ -16,8 +16,7 @@ Vec<D> gradient_of_linear_field(Cloud<D>& cloud, const PairTile<D>& tile, std::s
     const auto j = static_cast<std::size_t>(cloud.list.neighbours()[k]);
     if (j >= cloud.count) break;  // padding
     const double difference = slope.dot(cloud.position()[j] - cloud.position()[i]);
-    for (int a = 0; a < D; ++a)
-      sum[a] += cloud.volume(j) * difference * tile.gradient[static_cast<std::size_t>(a)][k];
+    for (int a = 0; a < D; ++a) sum[a] += cloud.volume(j) * difference * tile.gradient[static_cast<std::size_t>(a)][k];
   }
   return sum;
 }

@@ -30,9 +30,7 @@ struct Line {
   void filter(const TransportCoefficients& coefficients) {
     FluxCorrectedTransport(coefficients).apply(before, after, weight, link);
   }
-  [[nodiscard]] double sum() const {
-    return std::inner_product(weight.begin(), weight.end(), after.begin(), 0.0);
-  }
+  [[nodiscard]] double sum() const { return std::inner_product(weight.begin(), weight.end(), after.begin(), 0.0); }
 };
 
 TEST(FluxCorrectedTransport, KeepsTheWeightedSum) {
@@ -76,7 +74,8 @@ TEST(FluxCorrectedTransport, MakesNoNewExtremum) {
   for (const auto limiter : limiters) {
     for (const double eta : {0.125, 0.2}) {
       Line line, diffused;
-      for (std::size_t k = 0; k < count; ++k) line.before[k] = line.after[k] = diffused.before[k] = diffused.after[k] = k < 30 ? 1.0 : 0.0;
+      for (std::size_t k = 0; k < count; ++k)
+        line.before[k] = line.after[k] = diffused.before[k] = diffused.after[k] = k < 30 ? 1.0 : 0.0;
       line.filter({.diffusion = eta, .antidiffusion = eta, .limiter = limiter});
       diffused.filter({.diffusion = eta, .antidiffusion = 0.0});
       for (std::size_t k = 1; k + 1 < count; ++k) {

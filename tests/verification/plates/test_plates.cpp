@@ -48,17 +48,16 @@ TEST_P(PlateErrors, StayWithinTheMeasuredOnes) {
 const std::vector<double> layer_times = {6e-6, 12e-6, 16e-6}, plastic_times = {4e-6, 8e-6, 14e-6};
 INSTANTIATE_TEST_SUITE_P(
     Plates, PlateErrors,
-    testing::Values(
-        Expected{"plate_two_layer", "fct", {}, layer_times, {0.0035, 0.0046, 0.0060}},
-        Expected{"plate_two_layer", "fct", paper_coefficients, layer_times, {0.0055, 0.0086, 0.0124}},
-        Expected{"plate_two_layer", "artificial_viscosity", {}, layer_times, {0.0169, 0.0310, 0.0385}},
-        Expected{"plate_two_layer", "none", {}, layer_times, {0.0276, 0.0425, 0.0507}},
-        Expected{"plate_perfect", "fct", {}, plastic_times, {0.0018, 0.0038, 0.0045}},
-        Expected{"plate_perfect", "fct", paper_coefficients, plastic_times, {0.0030, 0.0072, 0.0087}},
-        Expected{"plate_perfect", "artificial_viscosity", {}, plastic_times, {0.0102, 0.0197, 0.0252}},
-        // The reference itself is a sum of small steps here, 0.002 to 0.004 off.
-        Expected{"plate_hardening", "fct", {}, plastic_times, {0.0024, 0.0030, 0.0055}},
-        Expected{"plate_hardening", "artificial_viscosity", {}, plastic_times, {0.0095, 0.0133, 0.0165}}),
+    testing::Values(Expected{"plate_two_layer", "fct", {}, layer_times, {0.0035, 0.0046, 0.0060}},
+                    Expected{"plate_two_layer", "fct", paper_coefficients, layer_times, {0.0055, 0.0086, 0.0124}},
+                    Expected{"plate_two_layer", "artificial_viscosity", {}, layer_times, {0.0169, 0.0310, 0.0385}},
+                    Expected{"plate_two_layer", "none", {}, layer_times, {0.0276, 0.0425, 0.0507}},
+                    Expected{"plate_perfect", "fct", {}, plastic_times, {0.0018, 0.0038, 0.0045}},
+                    Expected{"plate_perfect", "fct", paper_coefficients, plastic_times, {0.0030, 0.0072, 0.0087}},
+                    Expected{"plate_perfect", "artificial_viscosity", {}, plastic_times, {0.0102, 0.0197, 0.0252}},
+                    // The reference itself is a sum of small steps here, 0.002 to 0.004 off.
+                    Expected{"plate_hardening", "fct", {}, plastic_times, {0.0024, 0.0030, 0.0055}},
+                    Expected{"plate_hardening", "artificial_viscosity", {}, plastic_times, {0.0095, 0.0133, 0.0165}}),
     [](const auto& named) {
       return named.param.scene + "_" + named.param.method + (named.param.overrides.empty() ? "" : "_of_the_paper");
     });
@@ -96,7 +95,8 @@ TEST(PlateTwoLayer, ConvergesWithFirstOrder) {
 TEST(PlatePerfect, AccountsForTheLoad) {
   const auto simulation = simulation_of("plate_perfect", {"discretisation.spacing=0.4e-3"});
   run_to(*simulation, 8e-6);
-  EXPECT_NEAR(audited(*simulation, "pressure_impulse_x"), 5e9 * 5e-6, 1e-12 * 5e9 * 5e-6);  // a sum of some hundred parts
+  EXPECT_NEAR(audited(*simulation, "pressure_impulse_x"), 5e9 * 5e-6,
+              1e-12 * 5e9 * 5e-6);  // a sum of some hundred parts
   // Stress differences conserve momentum on an even line only; the strain of 2 % makes it uneven at the fronts.
   EXPECT_LT(audited(*simulation, "momentum_error"), 1e-3 * audited(*simulation, "pressure_impulse_x"));
   EXPECT_LT(std::abs(audited(*simulation, "energy_error")), 5e-3 * audited(*simulation, "pressure_work"));
@@ -108,7 +108,8 @@ TEST(PlatePerfect, AccountsForTheLoad) {
 TEST(Plates, StayStableForFortyMicroseconds) {
   for (const std::string scene : {"plate_two_layer", "plate_perfect", "plate_hardening"}) {
     for (const std::string method : {"fct", "artificial_viscosity"}) {
-      const auto simulation = simulation_of(scene, {"time.end=40e-6", "discretisation.spacing=0.2e-3", "shock.method=" + method});
+      const auto simulation =
+          simulation_of(scene, {"time.end=40e-6", "discretisation.spacing=0.2e-3", "shock.method=" + method});
       run_to(*simulation, 40e-6);
       const auto stress = array_of(simulation->frame(), "stress");
       double peak = 0.0;
