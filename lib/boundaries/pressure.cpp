@@ -116,8 +116,9 @@ std::unique_ptr<LoadHistory> make_load_history(const Parameters& parameters) {
                                                                      : std::vector<std::string>{"value", "duration"};
   for (const std::string key : {"value", "duration", "decay", "table"}) {
     const bool wanted = std::find(needed.begin(), needed.end(), key) != needed.end();
-    if (wanted && !parameters.has(key)) throw InputError(fmt::format("a {} history needs the key '{}'", history, key));
-    if (!wanted && parameters.has(key)) throw InputError(fmt::format("a {} history has no key '{}'", history, key));
+    if (wanted && !parameters.has(key))
+      throw InputError(fmt::format("the history {} needs the key '{}'", history, key));
+    if (!wanted && parameters.has(key)) throw InputError(fmt::format("the history {} has no key '{}'", history, key));
   }
   if (history == "tabulated") {
     check_table(parameters.points("table"));
