@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/core.h>
-#include <fmt/ranges.h>
+#include <toml++/toml.h>
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string>
@@ -10,9 +9,11 @@
 #include "anvil/core/data_path.hpp"
 #include "anvil/core/error.hpp"
 #include "anvil/kernels/kernel.hpp"
+#include "anvil/output/atomic_file.hpp"
 #include "anvil/scene/nearest_name.hpp"
 #include "anvil/scene/reader.hpp"
 #include "anvil/scene/schema.hpp"
+#include "anvil/scene/writer.hpp"
 #include "command_line.hpp"
 #include "table.hpp"
 
@@ -28,10 +29,16 @@ void list_scenes() {
   print_table(rows, "ll");
 }
 
+std::string material_summary(const std::filesystem::path& file) {
+  const toml::table material = toml::parse(read_text(file), file.string());
+  return fmt::format("{} kg/m3, eos {}, strength {}", material["density"].value_or(0.0),
+                     material["eos"]["type"].value_or(""), material["strength"]["type"].value_or(""));
+}
+
 void list_materials() {
   std::vector<TableRow> rows;
   for (const auto& file : list_bundled("materials", ".toml"))
-    rows.push_back({stem_of(file), find_bundled("materials", file).string()});
+    rows.push_back({stem_of(file), material_summary(find_bundled("materials", file))});
   print_table(rows, "ll");
 }
 
@@ -55,17 +62,17 @@ void list_models() {
 }
 
 std::string default_of(const Key& key) {
-  if (key.optional) return "";
-  return key.standard ? "has a default" : "must be given";
+  if (key.standard) return write_value(*key.standard);
+  return key.optional ? "may be absent" : "must be given";
 }
 
 void list_keys() {
-  std::vector<TableRow> rows;
+  std::vector<TableRow> rows = {{"key", "default", "value", "meaning"}};
   for (const auto& section : scene_sections())
     for (const Key* key : section.keys) {
       const std::string name = section.name.empty() ? std::string(key->name)  //
                                                     : fmt::format("{}.{}", section.name, key->name);
-      rows.push_back({name, std::string(key->unit), default_of(*key), std::string(key->help)});
+      rows.push_back({name, default_of(*key), expected_value(*key, 0), std::string(key->help)});
     }
   print_table(rows, "llll");
 }

@@ -48,13 +48,11 @@ PreparedRun prepare_start(const po::variables_map& values, const std::string& ar
   PreparedRun prepared;
   prepared.scene = read_scene(locate_scene(argument), repeated(values, "set"));
   prepared.options.scene_text = write_scene(prepared.scene);
-  const std::string id = identify_scene(prepared.options.scene_text);
   const auto folder = values.count("output") != 0 ? std::filesystem::path(values["output"].as<std::string>())
                                                   : std::filesystem::path("results") / prepared.scene.name;
-  const bool overwrite = values["overwrite"].as<bool>();
-  check_result_folder(folder, id, overwrite);
   prepared.simulation = make_simulation(prepared.scene);
-  prepared.options.folder = start_result(folder, id, overwrite);
+  prepared.options.folder =
+      start_result(folder, identify_scene(prepared.options.scene_text), values["overwrite"].as<bool>());
   return prepared;
 }
 

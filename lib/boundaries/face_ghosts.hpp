@@ -15,8 +15,8 @@ namespace anvil {
 /// The ends of a line of particles, for sums that take stress differences and so do not know where a body ends.
 ///
 /// The face of an end lies half a spacing outside its last particle, and the stress there is given: zero, or minus the
-/// pressure of a load. Behind it stand mirror images of the particles within reach, with the stress 2 sigma_face - sigma:
-/// odd about the face, so that the stress there is the given one. On an even line the sum over all particles of
+/// pressure of a load. Behind it stand mirror images of the particles within reach, with the stress 2 sigma_face -
+/// sigma: odd about the face, so that the stress there is the given one. On an even line the sum over all particles of
 /// m a then is the difference of the two face stresses to round-off: momentum is conserved.
 ///
 /// A face is open as long as the next particle beyond it is out of reach; where bodies meet the images vanish.

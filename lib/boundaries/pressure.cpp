@@ -71,38 +71,42 @@ void check_table(const Points& table) {
                       std::adjacent_find(table.begin(), table.end(),
                                          [](const auto& a, const auto& b) { return !(a[0] <= b[0]); }) == table.end();
   if (!rising)
-    throw InputError("the table of a pressure must hold two or more pairs [time in s, pressure in Pa] whose times begin at 0 or later and never fall");
+    throw InputError(
+        "the table of a pressure must hold two or more pairs [time in s, pressure in Pa] whose times begin at 0 or "
+        "later and never fall");
 }
 
 }  // namespace
 
 EntryKind pressure_kind() {
-  return {.type = "pressure",
-          .summary = "A pressure over time on one end of a body",
-          .keys = {{.name = "body", .kind = ValueKind::name, .help = "name of the body it acts on"},
-                   {.name = "face",
-                    .kind = ValueKind::choice,
-                    .standard = "left",
-                    .help = "end of the body: left is the one with the smallest coordinate",
-                    .choices = {"left", "right"}},
-                   {.name = "history",
-                    .kind = ValueKind::choice,
-                    .standard = "rectangular",
-                    .help = "rectangular: `value` for the `duration`; exponential: `value` exp(-t/`decay`); half_sine: `value` "
-                            "sin(pi t/`duration`) for the `duration`; tabulated: straight between the points of `table`",
-                    .choices = {"rectangular", "exponential", "half_sine", "tabulated"}},
-                   {.name = "value", .unit = "Pa", .help = "pressure, or its largest value", .optional = true},
-                   {.name = "duration", .unit = "s", .range = Range::positive, .help = "how long it acts", .optional = true},
-                   {.name = "decay",
-                    .unit = "s",
-                    .range = Range::positive,
-                    .help = "time in which it falls to 1/e",
-                    .optional = true},
-                   {.name = "table",
-                    .kind = ValueKind::points,
-                    .help = "[time in s, pressure in Pa] pairs; zero before the first and behind the last",
-                    .optional = true}},
-          .dimensions = {1}};
+  return {
+      .type = "pressure",
+      .summary = "A pressure over time on one end of a body",
+      .keys =
+          {{.name = "body", .kind = ValueKind::name, .help = "name of the body it acts on"},
+           {.name = "face",
+            .kind = ValueKind::choice,
+            .standard = "left",
+            .help = "end of the body: left is the one with the smallest coordinate",
+            .choices = {"left", "right"}},
+           {.name = "history",
+            .kind = ValueKind::choice,
+            .standard = "rectangular",
+            .help = "rectangular: `value` for the `duration`; exponential: `value` exp(-t/`decay`); half_sine: `value` "
+                    "sin(pi t/`duration`) for the `duration`; tabulated: straight between the points of `table`",
+            .choices = {"rectangular", "exponential", "half_sine", "tabulated"}},
+           {.name = "value", .unit = "Pa", .help = "pressure, or its largest value", .optional = true},
+           {.name = "duration", .unit = "s", .range = Range::positive, .help = "how long it acts", .optional = true},
+           {.name = "decay",
+            .unit = "s",
+            .range = Range::positive,
+            .help = "time in which it falls to 1/e",
+            .optional = true},
+           {.name = "table",
+            .kind = ValueKind::points,
+            .help = "[time in s, pressure in Pa] pairs; zero before the first and behind the last",
+            .optional = true}},
+      .dimensions = {1}};
 }
 
 std::unique_ptr<LoadHistory> make_load_history(const Parameters& parameters) {
@@ -112,9 +116,9 @@ std::unique_ptr<LoadHistory> make_load_history(const Parameters& parameters) {
                                                                      : std::vector<std::string>{"value", "duration"};
   for (const std::string key : {"value", "duration", "decay", "table"}) {
     const bool wanted = std::find(needed.begin(), needed.end(), key) != needed.end();
-    if (wanted && !parameters.has(key)) throw InputError(fmt::format("a {} history needs the key '{}'", history, key));
-    if (!wanted && parameters.has(key))
-      throw InputError(fmt::format("a {} history has no key '{}'", history, key));
+    if (wanted && !parameters.has(key))
+      throw InputError(fmt::format("the history {} needs the key '{}'", history, key));
+    if (!wanted && parameters.has(key)) throw InputError(fmt::format("the history {} has no key '{}'", history, key));
   }
   if (history == "tabulated") {
     check_table(parameters.points("table"));

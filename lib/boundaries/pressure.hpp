@@ -29,8 +29,8 @@ std::unique_ptr<LoadHistory> make_load_history(const Parameters& parameters);
 
 /// A pressure on one face of a line of particles.
 struct PressureLoad {
-  std::size_t particle;                      // the outermost one at that face
-  double inward;                             // +1 on a left face, -1 on a right one
+  std::size_t particle;  // the outermost one at that face
+  double inward;         // +1 on a left face, -1 on a right one
   std::shared_ptr<const LoadHistory> history;
 };
 

@@ -14,8 +14,8 @@ template <int D>
 class RigidWall final : public Boundary<D> {
  public:
   /// `point` on the plane (m), `normal` of unit length towards the bodies, `standoff` of centres from the plane (m).
-  RigidWall(const Vec<D>& point, const Vec<D>& normal, double standoff)
-      : point_(point), normal_(normal), standoff_(standoff) {}
+  RigidWall(std::string scene_name, const Vec<D>& point, const Vec<D>& normal, double standoff)
+      : Boundary<D>(std::move(scene_name)), point_(point), normal_(normal), standoff_(standoff) {}
 
   [[nodiscard]] std::string_view name() const override { return "rigid_wall"; }
   [[nodiscard]] std::string_view purpose() const override { return "plane without friction that pushes, never pulls"; }

@@ -5,8 +5,8 @@
 
 namespace anvil {
 
-/// Vectors and square matrices of D components. They stand unaligned in arrays, so that a field of them is one plain run
-/// of doubles. `Vec<D>{}` is not zero: use `Vec<D>::Zero()`.
+/// Vectors and square matrices of D components. They stand unaligned in arrays, so that a field of them is one plain
+/// run of doubles. `Vec<D>{}` is not zero: use `Vec<D>::Zero()`.
 template <int D>
 using Vec = Eigen::Matrix<double, D, 1, Eigen::DontAlign>;
 template <int D>

@@ -8,8 +8,14 @@
 namespace anvil {
 namespace {
 
-// Of the stress scale. Beyond it nothing would be left of the solution.
-constexpr double coarsest_wave = 0.05;
+// Of the stress scale. Beyond it little would be left of the solution.
+constexpr double coarsest_step = 0.25;
+
+/// Both together: see reference_accuracy.
+void coarsen(TrackingAccuracy& accuracy) {
+  accuracy.step *= 2.0;
+  accuracy.smallest *= 2.0;
+}
 
 std::vector<WaveProfile> track(const PlateProblem& problem, const std::vector<double>& times,
                                const TrackingAccuracy& accuracy) {
@@ -22,14 +28,14 @@ std::vector<WaveProfile> track(const PlateProblem& problem, const std::vector<do
   return profiles;
 }
 
-/// Raises accuracy.smallest until the waves are few enough.
+/// Coarsens the accuracy until the waves are few enough.
 std::vector<WaveProfile> track_what_fits(const PlateProblem& problem, const std::vector<double>& times,
                                          TrackingAccuracy& accuracy) {
-  for (;; accuracy.smallest *= 10.0) {
+  for (;; coarsen(accuracy)) {
     try {
       return track(problem, times, accuracy);
     } catch (const TooManyFronts&) {
-      if (accuracy.smallest * 10.0 > coarsest_wave) throw;
+      if (2.0 * accuracy.step > coarsest_step) throw;
     }
   }
 }
@@ -45,8 +51,7 @@ PlateReference solve_plate(const PlateProblem& problem, const std::vector<double
   reference.profiles = track_what_fits(problem, times, reference.accuracy);
 
   TrackingAccuracy coarse = reference.accuracy;
-  coarse.step *= 2.0;
-  coarse.smallest *= 10.0;
+  coarsen(coarse);
   const std::vector<WaveProfile> coarser = track_what_fits(problem, times, coarse);
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double mean = mean_stress(reference.profiles[i]);

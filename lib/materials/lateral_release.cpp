@@ -58,7 +58,7 @@ class LateralReleaseOf final : public LateralRelease {
     Tensor gradient = Tensor::Zero();
     gradient(0, 0) = axial_rate;
     gradient(1, 1) = gradient(2, 2) = lateral_rate;
-    (void)update_deviator(strength_, deviator, history, gradient, time_step);
+    (void)update_deviator<false>(strength_, deviator, history, gradient, time_step);
     const double half = 0.5 * time_step * (axial_rate + 2.0 * lateral_rate);
     return deviator(1, 1) - eos_.pressure(density_[i] * (1.0 - half) / (1.0 + half), 0.0);
   }

@@ -10,8 +10,8 @@
 namespace anvil {
 
 /// Uniaxial stress, the state of a slender bar in one dimension: the two lateral strain rates are those that leave no
-/// lateral stress at the end of a step. Any pair of equation of state and strength law then answers an axial strain as a
-/// bar does: elastic with Young's modulus, yielding at the yield stress in simple tension.
+/// lateral stress at the end of a step. Any pair of equation of state and strength law then answers an axial strain as
+/// a bar does: elastic with Young's modulus, yielding at the yield stress in simple tension.
 class LateralRelease {
  public:
   LateralRelease() = default;
@@ -19,8 +19,8 @@ class LateralRelease {
   LateralRelease& operator=(const LateralRelease&) = delete;
   virtual ~LateralRelease() = default;
 
-  /// Writes the lateral rate of each particle of the range, 1/s, for the axial rates (1/s) of a step of time_step (s) from
-  /// the present density, deviator and history.
+  /// Writes the lateral rate of each particle of the range, 1/s, for the axial rates (1/s) of a step of time_step (s)
+  /// from the present density, deviator and history.
   virtual void find_rates(ParticleRange range, const double* axial_rate, double time_step,
                           double* lateral_rate) const = 0;
 };

@@ -46,7 +46,7 @@ class StrengthAtWork final : public StrengthUpdate<D> {
         if constexpr (D == 1)
           if (lateral_rate != nullptr) gradient(1, 1) = gradient(2, 2) = *lateral_rate++;
         velocity_gradient += D * D;
-        const PlasticStep step = update_deviator(law_, deviator, history, gradient, time_step);
+        const PlasticStep step = update_deviator<(D > 1)>(law_, deviator, history, gradient, time_step);
         StrainState::store(deviator, deviator_ + components * i);
         if constexpr (Law::has_plastic_strain) plastic_strain_[i] = history.plastic_strain;
         if (back_stress_ != nullptr) StrainState::store(history.back_stress, back_stress_ + components * i);

@@ -14,7 +14,7 @@ namespace anvil {
 struct ComparedQuantity {
   std::string name;
   std::string unit;
-  double value = 0.0;
+  double value = 0.0;               // NaN: not to be seen in the result, which no tolerance allows
   std::optional<double> reference;  // absent: only reported
   double uncertainty = 0.0;         // of the reference
   double deviation = 0.0;           // relative to the reference; the value itself where there is none

@@ -9,7 +9,8 @@
 
 namespace anvil {
 
-/// One number that is read off a result. Its name is that of a [[quantity]] in data/reference.
+/// One number that is read off a result. Its name is that of a [[quantity]] in data/reference. NaN says that the result
+/// does not show it: an event that has not come by the end.
 struct Measure {
   std::string_view name;
   std::string_view unit;

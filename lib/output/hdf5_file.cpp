@@ -38,8 +38,12 @@ class OwnedId {
   herr_t (*close_)(hid_t);
 };
 
-/// HDF5 prints a stack of its own on every error; ours says it in a sentence.
-void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// HDF5 prints a stack of its own on every error; ours says it in a sentence. And it tries once more at the end of the
+/// program to write files that the disk refused, which crashes; ours are closed by then, so it has nothing to do there.
+void tame_hdf5() {
+  [[maybe_unused]] static const herr_t before_its_first_use = H5dont_atexit();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
 
 [[noreturn]] void throw_cannot_write(const fs::path& path) {
   throw MissingResourceError(fmt::format(
@@ -124,7 +128,7 @@ Hdf5Table<T> read_table(hid_t file, const fs::path& path, const std::string& nam
 }  // namespace
 
 Hdf5File Hdf5File::create(const fs::path& path, const std::string& format) {
-  silence_hdf5();
+  tame_hdf5();
   const hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   if (id < 0) throw_cannot_write(path);
   Hdf5File file(path, id);
@@ -133,7 +137,7 @@ Hdf5File Hdf5File::create(const fs::path& path, const std::string& format) {
 }
 
 Hdf5File Hdf5File::open(const fs::path& path, const std::string& format) {
-  silence_hdf5();
+  tame_hdf5();
   if (std::error_code ignored; !fs::exists(path, ignored))
     throw InputError(fmt::format("there is no file '{}'", path.string()));
   const hid_t id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);

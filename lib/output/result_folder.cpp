@@ -58,23 +58,7 @@ void remove_result(const ResultFolder& folder) {
   remove_file(folder.provenance());
 }
 
-}  // namespace
-
-fs::path ResultFolder::checkpoint(std::int64_t step) const { return path / fmt::format("checkpoint_{}.h5", step); }
-
-fs::path ResultFolder::last_frame() const {
-  const auto found = numbered_frames(frames());
-  if (found.empty()) throw InputError(fmt::format("'{}' holds no frames: is it the result of a run?", path.string()));
-  return found.rbegin()->second;
-}
-
-std::map<std::int64_t, fs::path> numbered_frames(const fs::path& folder) {
-  std::map<std::int64_t, fs::path> frames;
-  for (const auto& file : files_in(folder))
-    if (const auto number = frame_number(file)) frames[*number] = file;
-  return frames;
-}
-
+/// Refuses a folder that a run of the scene must not write into; changes nothing.
 void check_result_folder(const fs::path& path, const std::string& scene_id, bool overwrite) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return;
@@ -92,6 +76,23 @@ void check_result_folder(const fs::path& path, const std::string& scene_id, bool
         fmt::format("'{}' holds a result of a different scene or setting ({}); name another folder with "
                     "-o DIR, or replace it with --overwrite",
                     path.string(), earlier.title));
+}
+
+}  // namespace
+
+fs::path ResultFolder::checkpoint(std::int64_t step) const { return path / fmt::format("checkpoint_{}.h5", step); }
+
+fs::path ResultFolder::last_frame() const {
+  const auto found = numbered_frames(frames());
+  if (found.empty()) throw InputError(fmt::format("'{}' holds no frames: is it the result of a run?", path.string()));
+  return found.rbegin()->second;
+}
+
+std::map<std::int64_t, fs::path> numbered_frames(const fs::path& folder) {
+  std::map<std::int64_t, fs::path> frames;
+  for (const auto& file : files_in(folder))
+    if (const auto number = frame_number(file)) frames[*number] = file;
+  return frames;
 }
 
 ResultFolder start_result(const fs::path& path, const std::string& scene_id, bool overwrite) {

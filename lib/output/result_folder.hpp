@@ -32,7 +32,4 @@ ResultFolder continue_result(const std::filesystem::path& checkpoint, std::int64
 /// The frames in a folder by their number: rod_000012.vtp is number 12. Empty when there is no such folder.
 std::map<std::int64_t, std::filesystem::path> numbered_frames(const std::filesystem::path& folder);
 
-/// Whether a run of that scene may start in the folder: what start_result would refuse, it refuses; nothing is changed.
-void check_result_folder(const std::filesystem::path& path, const std::string& scene_id, bool overwrite);
-
 }  // namespace anvil

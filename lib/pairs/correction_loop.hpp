@@ -39,8 +39,9 @@ ANVIL_INLINE bool invert_moment(const double* a, double* inverse) {
 }
 
 /// Writes tile.gradient = A_i^-1 tile.plain_gradient with A_i = sum_j V_j (x_j - x_i) (x) grad_ij, after which
-/// sum_j V_j (f_j - f_i) grad_ij is exact for linear f (Chen, Beraun and Jih 1999; Bonet and Lok 1999). A is symmetric since
-/// gradients lie along x_ij. Returns how many particles kept the plain gradient because their A cannot be inverted.
+/// sum_j V_j (f_j - f_i) grad_ij is exact for linear f (Chen, Beraun and Jih 1999; Bonet and Lok 1999). A is symmetric
+/// since gradients lie along x_ij. Returns how many particles kept the plain gradient because their A cannot be
+/// inverted.
 template <int D>
 int correct_gradients(const PairTile<D>& tile, const PairRecords<D>& records) {
   using L = Lanes<lanes<D>>;

@@ -19,14 +19,14 @@ struct PairNeeds {
 /// tile belongs to the particle i with first[i] <= begin_pair + k < first[i + 1].
 template <int D>
 struct PairTile {
-  std::int32_t begin = 0, end = 0;            // particles
-  const std::int64_t* first = nullptr;        // by particle: its first pair in the list
-  const std::int32_t* neighbour = nullptr;    // the whole list
-  // grad_i W_ij by component, 1/m^(D+1), from pair first[begin]. Without a correction, or when nobody asks for the plain
-  // ones, both are the same memory.
+  std::int32_t begin = 0, end = 0;          // particles
+  const std::int64_t* first = nullptr;      // by particle: its first pair in the list
+  const std::int32_t* neighbour = nullptr;  // the whole list
+  // grad_i W_ij by component, 1/m^(D+1), from pair first[begin]. Without a correction, or when nobody asks for the
+  // plain ones, both are the same memory.
   std::array<double*, D> plain_gradient{}, gradient{};
-  double* value = nullptr;                    // W_ij, 1/m^D; from pair first[begin]
-  int uncorrected = 0;                        // particles whose gradients could not be corrected
+  double* value = nullptr;  // W_ij, 1/m^D; from pair first[begin]
+  int uncorrected = 0;      // particles whose gradients could not be corrected
 };
 
 }  // namespace anvil

@@ -73,8 +73,8 @@ std::vector<AuditValue> Solver<D>::audit() const {
   const double total =
       kinetic + elastic + ledger_.plastic_work + ledger_.viscous_loss + ledger_.smoothing_loss + ledger_.wall_loss;
   const Vec<D> present = momentum();
-  const Vec<D> unexplained = present - ledger_.start_momentum - ledger_.wall_impulse - ledger_.smoothing_impulse -
-                             ledger_.pressure_impulse;
+  const Vec<D> unexplained =
+      present - ledger_.start_momentum - ledger_.wall_impulse - ledger_.smoothing_impulse - ledger_.pressure_impulse;
 
   std::vector<AuditValue> row;
   row.push_back({"mass", "kg", mass});

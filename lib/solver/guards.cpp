@@ -31,7 +31,7 @@ void Solver<D>::check_reports() const {
     if (!std::isfinite(pressure_[i])) stop_at(report.broken_particle, "the pressure is not a number");
     for (const auto& boundary : recipe_.boundaries)
       if (boundary->forbids(position_[i]))
-        stop_at(report.broken_particle, "it is beyond the boundary '" + std::string(boundary->name()) + "'");
+        stop_at(report.broken_particle, "it is beyond the boundary '" + boundary->scene_name() + "'");
     stop_at(report.broken_particle, "smoothing length or wave speed is not positive");
   }
   const double least = scene_.time.minimum_step_fraction * first_step_limit_;

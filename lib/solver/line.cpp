@@ -5,21 +5,20 @@
 
 namespace anvil {
 
-/// Loads act with the mean pressure of the time that the kick spans, which gives the whole impulse of a history whatever
-/// the steps. Where stress differences are taken, the face stress enters through the images behind the face; sums leave
-/// a face free by themselves, and there the load is a force on the last particle.
+/// Loads act with the mean pressure of the time that the kick spans, which gives the whole impulse of a history
+/// whatever the steps. Where stress differences are taken, the face stress enters through the images behind the face;
+/// sums leave a face free by themselves, and there the load is a force on the last particle.
 template <int D>
 void Solver<D>::load_faces(double kick) {
   if constexpr (D == 1) {
     const double begin = time_ - 0.5 * time_step_;
-    std::vector<double> face_stress;
     for (std::size_t k = 0; k < load_steps_.size(); ++k) {
       const PressureLoad& load = recipe_.loads[k];
       const double impulse = load.history->impulse(begin + kick) - load.history->impulse(begin);
       load_steps_[k] = {load.inward * impulse, velocity_[load.particle][0]};
-      face_stress.push_back(-impulse / kick);
+      face_stress_[k] = -impulse / kick;
     }
-    if (recipe_.face_ghosts) recipe_.face_ghosts->show(records_, recipe_.loads, face_stress);
+    if (recipe_.face_ghosts) recipe_.face_ghosts->show(records_, recipe_.loads, face_stress_);
   }
 }
 
@@ -72,11 +71,11 @@ void Solver<D>::transport_densities() {
   }
 }
 
-#define ANVIL_INSTANTIATE(D)                           \
-  template void Solver<D>::load_faces(double);         \
-  template void Solver<D>::kick_loaded_faces();        \
-  template void Solver<D>::account_loads();            \
-  template void Solver<D>::transport_velocities();     \
+#define ANVIL_INSTANTIATE(D)                       \
+  template void Solver<D>::load_faces(double);     \
+  template void Solver<D>::kick_loaded_faces();    \
+  template void Solver<D>::account_loads();        \
+  template void Solver<D>::transport_velocities(); \
   template void Solver<D>::transport_densities()
 ANVIL_INSTANTIATE(1);
 ANVIL_INSTANTIATE(2);

@@ -34,7 +34,6 @@ Vec<D> vector_of(const std::vector<double>& components) {
 }
 
 /// c_e = sqrt((K + 4 G / 3) / rho) of the unloaded material, m/s.
-template <int D>
 double elastic_wave_speed(const MaterialDescription& material) {
   const double bulk = std::visit([&](const auto& eos) { return eos.bulk_sound_speed_squared(material.density, 0.0); },
                                  make_eos(material.eos, material.density));
@@ -69,7 +68,7 @@ void add_filters(const Scene& scene, Recipe<D>& recipe) {
   if (scene.stabiliser.smoothing_form == "pairwise") form = SmoothingForm::pairwise;
   if (scene.stabiliser.smoothing_form == "scaled") form = SmoothingForm::scaled;
   double fastest = 0.0;
-  for (const auto& material : scene.materials) fastest = std::max(fastest, elastic_wave_speed<D>(material));
+  for (const auto& material : scene.materials) fastest = std::max(fastest, elastic_wave_speed(material));
   // The step of the printed rule for the unloaded material at rest, at the paper's factor 0.3.
   const double reference_step = 0.3 * scene.discretisation.smoothing_ratio * scene.discretisation.spacing / fastest;
   recipe.filters.push_back(
@@ -84,14 +83,14 @@ void add_boundaries(const Scene& scene, Recipe<D>& recipe) {
       throw InputError("boundary '" + boundary.name + "' has type '" + boundary.entry.type +
                        "', which no solver knows");
     const Parameters& parameters = boundary.entry.parameters;
-    recipe.boundaries.push_back(std::make_unique<RigidWall<D>>(vector_of<D>(parameters.numbers("point")),
+    recipe.boundaries.push_back(std::make_unique<RigidWall<D>>(boundary.name, vector_of<D>(parameters.numbers("point")),
                                                                vector_of<D>(parameters.numbers("normal")).normalized(),
                                                                0.5 * scene.discretisation.spacing));
   }
 }
 
-PressureLoad make_load(const Scene& scene, const BoundaryDescription& boundary, const std::vector<ParticleRange>& ranges,
-                       std::span<const double> positions) {
+PressureLoad make_load(const Scene& scene, const BoundaryDescription& boundary,
+                       const std::vector<ParticleRange>& ranges, std::span<const double> positions) {
   const Parameters& parameters = boundary.entry.parameters;
   const auto body = std::find_if(scene.bodies.begin(), scene.bodies.end(),
                                  [&](const auto& one) { return one.name == parameters.text("body"); });

@@ -167,7 +167,8 @@ class RunLoop {
     provenance_.time = simulation_.time();
     provenance_.wall_time = wall_seconds();
     const auto steps = static_cast<double>(provenance_.steps - provenance_.first_step);
-    provenance_.particle_steps_per_second = steps * static_cast<double>(provenance_.particles) / provenance_.wall_time;
+    const double particle_steps = steps * static_cast<double>(provenance_.particles);
+    provenance_.particle_steps_per_second = steps > 0.0 ? particle_steps / provenance_.wall_time : 0.0;
     if (status != "running") provenance_.ended = utc_now();
     write_provenance(options_.folder.provenance(), provenance_);
   }

@@ -33,8 +33,8 @@ struct Explanation {
   std::vector<ExplainedField> fields;
   std::size_t particles = 0;
   double neighbours_per_particle = 0.0;
-  int bytes_per_particle = 0;      // fields, records and neighbour list together
-  double first_time_step = 0.0;    // s
+  int bytes_per_particle = 0;       // fields, records and neighbour list together
+  double first_time_step = 0.0;     // s
   std::int64_t steps_expected = 0;  // to the end, at the first time step
 };
 
@@ -53,13 +53,13 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
   virtual ~Simulation() = default;
 
-  [[nodiscard]] virtual double time() const = 0;  // s
+  [[nodiscard]] virtual double time() const = 0;            // s
   [[nodiscard]] virtual double last_time_step() const = 0;  // s, 0 before the first step
   [[nodiscard]] virtual std::int64_t step() const = 0;
   [[nodiscard]] virtual std::size_t particle_count() const = 0;
 
-  /// One step, never beyond `latest` (s), which lies after time(). Throws NumericalError with the time, the particle and
-  /// its values when a guard trips; the state is then the one that tripped it.
+  /// One step, never beyond `latest` (s), which lies after time(). Throws NumericalError with the time, the particle
+  /// and its values when a guard trips; the state is then the one that tripped it.
   virtual void advance(double latest) = 0;
 
   [[nodiscard]] virtual Frame frame() const = 0;

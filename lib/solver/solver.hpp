@@ -15,15 +15,15 @@ namespace anvil {
 /// What one tile did in one pass; added up in the order of the tiles, so that sums do not depend on threads.
 template <int D>
 struct TileReport {
-  double plastic_work = 0.0;                              // J
-  double viscous_loss = 0.0;                              // J
-  double smoothing_loss = 0.0;                            // J
-  Vec<D> smoothing_impulse = Vec<D>::Zero();              // N s
-  double wall_loss = 0.0;                                 // J
-  int uncorrected = 0;                                    // particles without a corrected gradient
-  Vec<D> wall_impulse = Vec<D>::Zero();                   // N s, on the particles
-  Vec<D> least_displacement, greatest_displacement;       // m, since the neighbour list was made
-  double greatest_growth = 0.0;                           // m, of smoothing lengths since then
+  double plastic_work = 0.0;                               // J
+  double viscous_loss = 0.0;                               // J
+  double smoothing_loss = 0.0;                             // J
+  Vec<D> smoothing_impulse = Vec<D>::Zero();               // N s
+  double wall_loss = 0.0;                                  // J
+  int uncorrected = 0;                                     // particles without a corrected gradient
+  Vec<D> wall_impulse = Vec<D>::Zero();                    // N s, on the particles
+  Vec<D> least_displacement, greatest_displacement;        // m, since the neighbour list was made
+  double greatest_growth = 0.0;                            // m, of smoothing lengths since then
   double step_limit = std::numeric_limits<double>::max();  // s
   std::int32_t limiting_particle = -1;
   std::int32_t broken_particle = -1;  // the first whose numbers are no longer any, or that went where none may
@@ -98,7 +98,7 @@ class Solver final : public Simulation {
                       double time_step);
   void pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report);
 
-  // tiles.cpp
+  // solver.cpp and tiles.hpp
   template <class Work>
   void for_each_tile(Work&& work);
   PairTile<D> open_tile(const Tile& tile, Scratch& scratch, PairNeeds needs) const;
@@ -141,11 +141,12 @@ class Solver final : public Simulation {
   std::span<double> mass_, density_, smoothing_length_, pressure_;
   std::span<double> listed_smoothing_length_;  // empty while h is constant
 
-  struct LoadStep {  // of one load in the present step
+  struct LoadStep {                // of one load in the present step
     double impulse = 0.0;          // N s, towards the body
     double velocity_before = 0.0;  // m/s, of its particle
   };
   std::vector<LoadStep> load_steps_;
+  std::vector<double> face_stress_;  // Pa, by load: the mean over the kick
 
   double skin_ = 0.0;  // m
   double time_ = 0.0, time_step_ = 0.0, step_limit_ = 0.0, first_step_limit_ = 0.0;

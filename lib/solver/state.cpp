@@ -11,10 +11,10 @@ namespace {
 
 template <int D>
 std::vector<double> ledger_numbers(const Ledger<D>& ledger) {
-  std::vector<double> numbers = {ledger.plastic_work, ledger.viscous_loss, ledger.smoothing_loss, ledger.wall_loss,
-                                 ledger.start_energy, ledger.pressure_work,  ledger.uncorrected};
-  for (const Vec<D>* vector : {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse,
-                               &ledger.start_momentum})
+  std::vector<double> numbers = {ledger.plastic_work, ledger.viscous_loss,  ledger.smoothing_loss, ledger.wall_loss,
+                                 ledger.start_energy, ledger.pressure_work, ledger.uncorrected};
+  for (const Vec<D>* vector :
+       {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse, &ledger.start_momentum})
     numbers.insert(numbers.end(), vector->data(), vector->data() + D);
   return numbers;
 }
@@ -30,8 +30,8 @@ Ledger<D> ledger_from(const std::vector<double>& numbers) {
   ledger.pressure_work = numbers[5];
   ledger.uncorrected = numbers[6];
   const double* next = numbers.data() + 7;
-  for (Vec<D>* vector : {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse,
-                         &ledger.start_momentum}) {
+  for (Vec<D>* vector :
+       {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse, &ledger.start_momentum}) {
     for (int a = 0; a < D; ++a) (*vector)[a] = *next++;
   }
   return ledger;

@@ -14,10 +14,13 @@ inline constexpr int least_shared_tiles = D == 1 ? 64 : 2;
 template <int D>
 template <class Work>
 void Solver<D>::for_each_tile(Work&& work) {
-  for_each_parallel(static_cast<int>(tiles_.size()), [&](int tile, int thread) {
-    const auto index = static_cast<std::size_t>(tile);
-    work(tiles_[index], scratch_[static_cast<std::size_t>(thread)], reports_[index]);
-  }, least_shared_tiles<D>);
+  for_each_parallel(
+      static_cast<int>(tiles_.size()),
+      [&](int tile, int thread) {
+        const auto index = static_cast<std::size_t>(tile);
+        work(tiles_[index], scratch_[static_cast<std::size_t>(thread)], reports_[index]);
+      },
+      least_shared_tiles<D>);
 }
 
 }  // namespace anvil

@@ -11,9 +11,9 @@
 
 namespace anvil {
 
-/// Flux-corrected transport of velocity and density along a line of particles. Velocity flows with the masses as weights,
-/// which conserves momentum across materials; density as rho / rho0 with the volumes at rest, within one body: it jumps
-/// where materials meet. Nothing flows through an end or a gap wider than the kernel's reach.
+/// Flux-corrected transport of velocity and density along a line of particles. Velocity flows with the masses as
+/// weights, which conserves momentum across materials; density as rho / rho0 with the volumes at rest, within one body:
+/// it jumps where materials meet. Nothing flows through an end or a gap wider than the kernel's reach.
 class LineTransport {
  public:
   /// `order`: the particles by position; `reference_density` of each body; `support` in smoothing lengths.

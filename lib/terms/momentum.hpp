@@ -7,8 +7,9 @@
 
 namespace anvil {
 
-/// The discrete divergences of stress on offer. The first two conserve linear momentum to round-off: with h_ij symmetric
-/// the force of a pair is antisymmetric. The third is exact for linear stress where the gradients are corrected.
+/// The discrete divergences of stress on offer. The first two conserve linear momentum to round-off: with h_ij
+/// symmetric the force of a pair is antisymmetric. The third is exact for linear stress where the gradients are
+/// corrected.
 enum class MomentumForm {
   sum,              // a_i = (1/rho_i) sum_j V_j (sigma_i + sigma_j) . grad_ij  (Long 2007, equation 9)
   density_squared,  // a_i = sum_j m_j (sigma_i/rho_i^2 + sigma_j/rho_j^2) . grad_ij  (Monaghan 1992, equation 3.3)
@@ -35,7 +36,7 @@ class Momentum final : public ForceTerm<D> {
     if (form_ == MomentumForm::difference) return "acceleration by stress, V_j (sigma_j - sigma_i)";
     return "acceleration by stress, m_i m_j (sigma_i/rho_i^2 + sigma_j/rho_j^2)";
   }
-  [[nodiscard]] PairNeeds needs() const override { 
+  [[nodiscard]] PairNeeds needs() const override {
     return {.gradient = form_ == MomentumForm::difference, .plain_gradient = form_ != MomentumForm::difference};
   }
 
@@ -56,7 +57,8 @@ class Momentum final : public ForceTerm<D> {
                   double* /*loss*/) const override {
     const double* divisor = form_ != MomentumForm::density_squared ? density_.data() : nullptr;
     const PairLoops<D>& loops = pair_loops<D>();
-    (form_ == MomentumForm::difference ? loops.stress_difference : loops.momentum)(tile, records, divisor, acceleration);
+    (form_ == MomentumForm::difference ? loops.stress_difference : loops.momentum)(tile, records, divisor,
+                                                                                   acceleration);
   }
 
  private:

@@ -14,8 +14,8 @@ ANVIL_INLINE constexpr int packed_index(int a, int b) {
 }
 
 /// acceleration_i += (1/divisor_i) sum_j w_j (T_i + T_j) . grad_ij, with T and w as the traction records hold them;
-/// D per particle of the tile, m/s2. Without a divisor the sum is taken as it is. The sum conserves momentum and so wants
-/// plain gradients, which are antisymmetric; the difference, w_j (T_j - T_i), those of the scene's method.
+/// D per particle of the tile, m/s2. Without a divisor the sum is taken as it is. The sum conserves momentum and so
+/// wants plain gradients, which are antisymmetric; the difference, w_j (T_j - T_i), those of the scene's method.
 template <int D, bool Difference>
 void sum_momentum(const PairTile<D>& tile, const PairRecords<D>& records, const double* divisor, double* acceleration) {
   using L = Lanes<lanes<D>>;

@@ -20,13 +20,13 @@ Vec<D> corrected(const RigidWall<D>& wall, Vec<D> position, Vec<D> velocity) {
 }
 
 TEST(RigidWall, StopsAFaceAtThePlane) {
-  const RigidWall<1> wall(Vec<1>(0.0), Vec<1>(1.0), standoff);
+  const RigidWall<1> wall("wall", Vec<1>(0.0), Vec<1>(1.0), standoff);
   EXPECT_EQ(corrected<1>(wall, Vec<1>(standoff), Vec<1>(-10.0))[0], 0.0);
   EXPECT_EQ(corrected<1>(wall, Vec<1>(0.9 * standoff), Vec<1>(-10.0))[0], 0.0);
 }
 
 TEST(RigidWall, NeverPulls) {
-  const RigidWall<1> wall(Vec<1>(0.0), Vec<1>(1.0), standoff);
+  const RigidWall<1> wall("wall", Vec<1>(0.0), Vec<1>(1.0), standoff);
   for (const double gap : {-0.2e-3, 0.0, 1e-9, 1e-3})
     EXPECT_EQ(corrected<1>(wall, Vec<1>(standoff + gap), Vec<1>(10.0))[0], 10.0) << "gap " << gap;
   // Nor does it touch one that comes, but not within this step.
@@ -34,7 +34,7 @@ TEST(RigidWall, NeverPulls) {
 }
 
 TEST(RigidWall, LeavesAsMuchApproachAsBringsTheFaceToThePlane) {
-  const RigidWall<1> wall(Vec<1>(0.0), Vec<1>(1.0), standoff);
+  const RigidWall<1> wall("wall", Vec<1>(0.0), Vec<1>(1.0), standoff);
   const double gap = 4e-6;
   // Half the gap's distance per step is not corrected, twice is: to gap / time_step = 4 m/s. The gap is a difference of
   // numbers 100 times as large: 1e-13 of it is lost to rounding.
@@ -45,7 +45,7 @@ TEST(RigidWall, LeavesAsMuchApproachAsBringsTheFaceToThePlane) {
 TEST(RigidWall, ChangesOnlyThePartOfVelocityAlongAnObliqueNormal) {
   const Vec<3> normal = Vec<3>(1.0, 2.0, -2.0) / 3.0;
   const Vec<3> point(0.1, -0.2, 0.3);
-  const RigidWall<3> wall(point, normal, standoff);
+  const RigidWall<3> wall("wall", point, normal, standoff);
   const Vec<3> tangential = normal.cross(Vec<3>(20.0, 5.0, 7.0));
   const Vec<3> after = corrected<3>(wall, point + standoff * normal, tangential - 100.0 * normal);
   // Positions of 0.1 m are rounded to 1e-17 m, which is 1e-11 m/s in a step of 1e-6 s.
@@ -54,7 +54,7 @@ TEST(RigidWall, ChangesOnlyThePartOfVelocityAlongAnObliqueNormal) {
 
 TEST(RigidWall, LetsNoFaceOfManyPassAndPushesOnlyAlongTheNormal) {
   const Vec<2> normal(0.6, 0.8), point(1e-3, -2e-3);
-  const RigidWall<2> wall(point, normal, standoff);
+  const RigidWall<2> wall("wall", point, normal, standoff);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   int pushed = 0;
@@ -75,7 +75,7 @@ TEST(RigidWall, LetsNoFaceOfManyPassAndPushesOnlyAlongTheNormal) {
 }
 
 TEST(RigidWall, ForbidsWhatLiesBehindThePlane) {
-  const RigidWall<2> wall(Vec<2>(0.0, 1.0), Vec<2>(0.0, 1.0), standoff);
+  const RigidWall<2> wall("wall", Vec<2>(0.0, 1.0), Vec<2>(0.0, 1.0), standoff);
   EXPECT_FALSE(wall.forbids(Vec<2>(5.0, 1.0)));
   EXPECT_FALSE(wall.forbids(Vec<2>(5.0, 1.1)));
   EXPECT_TRUE(wall.forbids(Vec<2>(5.0, 0.9999)));

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import resource
 import signal
 import subprocess
 import sys
@@ -192,6 +193,28 @@ class Runs(CommandLine):
         one = (self.result / "history.csv").read_bytes()
         self.run_scene("--threads", "3")
         self.assertEqual((self.result / "history.csv").read_bytes(), one)
+
+
+class Failures(CommandLine):
+    def test_full_disk(self):
+        def limit():  # as a full disk: writing beyond it fails, here without the signal that would end the program
+            resource.setrlimit(resource.RLIMIT_FSIZE, (6000, 6000))
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+
+        command = [ANVIL, "run", self.scene, "-o", self.result, "--quiet"]
+        outcome = subprocess.run(command, capture_output=True, text=True, preexec_fn=limit, restore_signals=False)
+        self.expect_error(outcome, 2, "cannot write", str(self.result))
+        left = [path.name for path in self.result.rglob("*.part")]
+        self.assertEqual(left, [])
+        self.assertEqual(json.loads((self.result / "run.json").read_text())["status"], "failed")
+
+    def test_a_run_that_blows_up(self):
+        # Seven times the sound speed: the bar is squeezed until its steps vanish.
+        self.expect_error(self.run_scene("--quiet", "--set", "body.bar.velocity=[-40000]"), 3, "last good frame")
+        record = json.loads((self.result / "run.json").read_text())
+        self.assertEqual(record["status"], "failed")
+        self.assertIn("last good frame", record["reason"])
+        self.expect(self.anvil("info", self.result / "frames/bar_000000.h5"), 0)
 
 
 class Restarts(CommandLine):

@@ -42,7 +42,8 @@ inline PlateProblem plate_problem(const Scene& scene) {
   return problem;
 }
 
-/// Exact profiles at ascending times (s). Waves that never meet a plastic front stay few, and are followed down to any size.
+/// Exact profiles at ascending times (s). Waves that never meet a plastic front stay few, and are followed down to any
+/// size.
 inline std::vector<WaveProfile> exact_profiles(const Scene& scene, const std::vector<double>& times, bool elastic) {
   if (!elastic) return solve_plate(plate_problem(scene), times).profiles;
   FrontTracking tracking(plate_problem(scene), times.back(), {.step = 1.0 / 64.0, .smallest = 1e-9});
