@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
+#include <utility>
 
 #include "anvil/core/error.hpp"
 #include "anvil/figures/ticks.hpp"
@@ -19,6 +19,19 @@ std::string superscript(int number) {
   std::string text;
   for (const char digit : std::to_string(std::abs(number))) text += digits[digit - '0'];
   return number < 0 ? "⁻" + text : text;
+}
+
+/// The range of the axis, or of those values that can stand on it; 0 to 1 when there are none.
+std::pair<double, double> ends_of(const Axis& axis, const std::vector<double>& values) {
+  if (axis.range) return {(*axis.range)[0], (*axis.range)[1]};
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const double value : values) {
+    if (!std::isfinite(value) || (axis.logarithmic && value <= 0.0)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  return low <= high ? std::pair(low, high) : std::pair(0.0, 1.0);
 }
 
 }  // namespace
@@ -39,40 +52,41 @@ std::string tick_label(double value, double step, double largest) {
 
 AxisScale::AxisScale(const Axis& axis, const std::vector<double>& values, bool tight, int intervals)
     : logarithmic_(axis.logarithmic) {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const double value : values) {
-    if (!std::isfinite(value) || (logarithmic_ && value <= 0.0)) continue;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  if (axis.range) std::tie(low, high) = std::pair((*axis.range)[0], (*axis.range)[1]);
+  const auto [low, high] = ends_of(axis, values);
   if (axis.range && !(low < high)) throw InputError(fmt::format("the range of the axis '{}' is empty", axis.label));
-  if (logarithmic_ && !(low > 0.0 && high < std::numeric_limits<double>::infinity()))
+  if (logarithmic_ && !(low > 0.0))
     throw InputError(fmt::format("the logarithmic axis '{}' has nothing above zero to show", axis.label));
-  if (!(low <= high)) std::tie(low, high) = std::pair(0.0, 1.0);  // an empty panel
-  if (logarithmic_) std::tie(low, high) = std::pair(std::log10(low), std::log10(high));
-  if (high - low <= 1e-12 * std::max(std::abs(low), std::abs(high))) {  // a single value
-    const double room = logarithmic_ ? 0.5 : std::max(0.5 * std::abs(low), 1e-300);
-    low -= low == 0.0 && !logarithmic_ ? 1.0 : room;
-    high += high == 0.0 && !logarithmic_ ? 1.0 : room;
-  }
-  const double step = nice_step(high - low, intervals);
-  if (!tight && !axis.range && !logarithmic_) {
-    low = step * std::floor(low / step + 1e-6);
-    high = step * std::ceil(high / step - 1e-6);
-  }
-  if (!tight && !axis.range && logarithmic_) {
-    const double room = 0.05 * (high - low);
-    low -= room;
-    high += room;
-  }
-  low_ = low;
-  high_ = high;
+  low_ = logarithmic_ ? std::log10(low) : low;
+  high_ = logarithmic_ ? std::log10(high) : high;
+  make_room_around_one_value();
+  const double step = nice_step(high_ - low_, intervals);
+  if (!axis.range) round_outward(tight, step);
   if (logarithmic_)
     make_logarithmic_ticks();
   else
     make_linear_ticks(step);
+}
+
+void AxisScale::make_room_around_one_value() {
+  if (high_ - low_ > 1e-12 * std::max(std::abs(low_), std::abs(high_))) return;
+  const double room = low_ == 0.0 || logarithmic_ ? 0.5 : 0.5 * std::abs(low_);
+  low_ -= room;
+  high_ += room;
+}
+
+void AxisScale::round_outward(bool tight, double step) {
+  if (logarithmic_) {
+    const double room = tight ? 0.0 : 0.05 * (high_ - low_);
+    low_ -= room;
+    high_ += room;
+    return;
+  }
+  const double floor = step * std::floor(low_ / step + 1e-6);
+  const double ceiling = step * std::ceil(high_ / step - 1e-6);
+  // Particles lie half a spacing inside their body: a tight axis still ends where the body does.
+  const double near = tight ? 0.015 * (high_ - low_) : step;
+  if (low_ - floor <= near) low_ = floor;
+  if (ceiling - high_ <= near) high_ = ceiling;
 }
 
 double AxisScale::share_of(double value) const {

@@ -25,6 +25,8 @@ class AxisScale {
   [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }
 
  private:
+  void make_room_around_one_value();
+  void round_outward(bool tight, double step);
   void make_linear_ticks(double step);
   void make_logarithmic_ticks();
 
