@@ -10,14 +10,10 @@
 #include "anvil/figures/description.hpp"
 #include "anvil/figures/drawing.hpp"
 #include "anvil/figures/figure_builder.hpp"
-#include "anvil/output/atomic_file.hpp"
 #include "command_line.hpp"
+#include "figure_file.hpp"
 #include "frames.hpp"
 #include "plotted_result.hpp"
-
-#if ANVIL_WITH_VTK
-#include "vtk_io/figure_painter.hpp"
-#endif
 
 namespace anvil {
 namespace {
@@ -112,21 +108,6 @@ std::vector<PlottedResult> results_from(const po::variables_map& values, const U
   std::vector<PlottedResult> results = {open_result(required(values, usage, "RESULT"))};
   for (const auto& folder : repeated(values, "also")) results.push_back(open_result(folder));
   return results;
-}
-
-void write_figure(const Drawing& drawing, const fs::path& file) {
-  if (file.extension() == ".svg") {
-    write_text_atomically(file, write_svg(drawing));
-  } else if (file.extension() == ".png") {
-#if ANVIL_WITH_VTK
-    paint_png(drawing, file);
-#else
-    throw InputError(fmt::format("'{}' needs a build with VTK; this one writes .svg", file.string()));
-#endif
-  } else {
-    throw InputError(fmt::format("'{}' is neither .png nor .svg", file.string()));
-  }
-  fmt::print("{}\n", file.string());
 }
 
 /// plate.png beside the folder of the result.

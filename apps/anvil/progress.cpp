@@ -10,7 +10,6 @@
 #include <string>
 
 namespace anvil {
-namespace {
 
 std::string duration_text(double seconds) {
   const auto whole = std::llround(seconds);
@@ -18,6 +17,8 @@ std::string duration_text(double seconds) {
   if (whole < 3600) return fmt::format("{}:{:02} min", whole / 60, whole % 60);
   return fmt::format("{}:{:02} h", whole / 3600, whole / 60 % 60);
 }
+
+namespace {
 
 std::string position_text(const RunPosition& position) {
   const double left = position.wall_seconds * (1.0 - position.fraction) / std::max(position.fraction, 1e-12);

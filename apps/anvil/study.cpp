@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "anvil/study/runner.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <string>
+
+#include "anvil/core/error.hpp"
+#include "anvil/core/threads.hpp"
+#include "anvil/figures/drawing.hpp"
+#include "anvil/output/atomic_file.hpp"
+#include "anvil/study/report.hpp"
+#include "command_line.hpp"
+#include "figure_file.hpp"
+#include "progress.hpp"
+#include "table.hpp"
+
+namespace anvil {
+namespace {
+
+namespace fs = std::filesystem;
+namespace po = boost::program_options;
+
+Usage make_usage() {
+  Usage usage{"anvil study STUDY [-o DIR] [options]",
+              "Runs the scenes of a study file, or of the bundled study of that name, over all values of its axes;\n"
+              "prints tables and writes results.csv and, where the study has one, a figure into a folder. Each run\n"
+              "takes one thread. Runs that fail are listed with their reason.",
+              "STUDY"};
+  auto add = usage.options.add_options();
+  add("output,o", po::value<std::string>()->value_name("DIR"), "folder of the results (default: results/<study>)");
+  add("threads", po::value<int>()->value_name("N"), "runs at the same time (default: all processors)");
+  add("quiet", po::bool_switch(), "no progress, no tables");
+  add_scene_options(usage);
+  return usage;
+}
+
+/// How many runs are done and how long the others will take, if they take as long on average: a line that is
+/// overwritten on a terminal, otherwise one every tenth of the runs.
+class StudyLines {
+ public:
+  void show(std::size_t done, std::size_t all) {
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const double left = elapsed * static_cast<double>(all - done) / static_cast<double>(done);
+    const std::string text = fmt::format("{} of {} runs  {} left", done, all, duration_text(left));
+    constexpr const char* clear_to_end_of_line = "\x1b[K";
+    if (terminal_)
+      fmt::print(stderr, "\r{}{}{}", text, clear_to_end_of_line, done == all ? "\n" : "");
+    else if (10 * done / all != 10 * (done - 1) / all)
+      fmt::print(stderr, "{}\n", text);
+    std::fflush(stderr);
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  bool terminal_ = isatty(STDERR_FILENO) == 1;
+};
+
+int threads_from(const po::variables_map& values) {
+  constexpr int most = 1024;
+  const int threads = values.count("threads") != 0 ? values["threads"].as<int>() : thread_count();
+  if (threads < 1 || threads > most)
+    throw InputError(fmt::format("--threads must be a whole number from 1 to {}, found {}", most, threads));
+  return threads;
+}
+
+void print_report(const StudyDescription& study, const std::vector<StudyRun>& runs) {
+  for (const auto& table : study_tables(study, runs)) {
+    fmt::print("{}\n", table.title);
+    print_table(table.rows, table.alignment);
+    fmt::print("\n");
+  }
+  for (const auto& run : runs)
+    if (run.status != StudyStatus::finished)
+      fmt::print("{} {} {}: {}\n", study.grids[run.grid].title, fmt::join(run.axis_values, ", "),
+                 status_name(run.status), run.reason);
+}
+
+}  // namespace
+
+int execute_study(const Arguments& arguments) {
+  Usage usage = make_usage();
+  const auto values = parse(usage, arguments);
+  if (!values) return 0;
+  const StudyDescription study = read_study(locate_study(required(*values, usage, "STUDY")));
+  const fs::path folder =
+      values->count("output") != 0 ? fs::path((*values)["output"].as<std::string>()) : fs::path("results") / study.name;
+  const bool quiet = (*values)["quiet"].as<bool>();
+  ensure_folder(folder);
+  StudyLines lines;
+  const auto runs = run_study(study, repeated(*values, "set"), threads_from(*values), [&](auto done, auto all) {
+    if (!quiet) lines.show(done, all);
+  });
+  write_text_atomically(folder / "results.csv", study_csv(study, runs));
+  if (!quiet) {
+    print_report(study, runs);
+    fmt::print("{}\n", (folder / "results.csv").string());
+  }
+  if (const auto figure = study_figure(study, runs))
+    write_figure(lay_out(*figure), folder / (study.name + (ANVIL_WITH_VTK ? ".png" : ".svg")));
+  return 0;
+}
+
+}  // namespace anvil

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "anvil/exact/scene_reference.hpp"
+#include "anvil/output/frame.hpp"
+#include "anvil/scene/scene.hpp"
+
+namespace anvil {
+
+/// A run of a study at one of its times, as measures see it.
+struct StudySample {
+  const Scene& scene;
+  const std::vector<Frame>& frames;  // at the times of the study
+  std::size_t number;                // of the time that is measured
+  std::function<const SceneReference&()> exact;  // at the same times; solved when it is asked for first
+};
+
+/// One number that is read off a run at a time; NaN where the run does not show it.
+struct StudyMeasure {
+  std::string_view name;
+  std::string_view unit;
+  double (*of)(const StudySample& sample, std::string_view name);
+};
+
+/// The row of the table of measures with that name, or nullptr. The quantities of compare_waves are rows, too.
+const StudyMeasure* find_study_measure(std::string_view name);
+std::vector<std::string_view> study_measure_names();
+
+}  // namespace anvil

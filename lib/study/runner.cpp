@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "anvil/study/runner.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "anvil/core/error.hpp"
+#include "anvil/core/threads.hpp"
+#include "anvil/scene/reader.hpp"
+#include "anvil/solver/simulation.hpp"
+#include "anvil/study/measures.hpp"
+
+namespace anvil {
+namespace {
+
+/// Exact solutions, each solved once for all runs that share bodies, materials and loads.
+class ExactSolutions {
+ public:
+  const SceneReference& of(const Scene& scene, const std::vector<double>& times) {
+    const std::scoped_lock lock(mutex_);
+    for (const auto& known : known_)
+      if (known->times == times && known->scene.domain == scene.domain && known->scene.bodies == scene.bodies &&
+          known->scene.materials == scene.materials && known->scene.boundaries == scene.boundaries &&
+          known->scene.compare.reference == scene.compare.reference)
+        return known->solution;
+    known_.push_back(std::make_unique<Solved>(scene, times));
+    return known_.back()->solution;
+  }
+
+ private:
+  struct Solved {
+    Solved(const Scene& for_scene, const std::vector<double>& at_times)
+        : scene(for_scene), times(at_times), solution(scene, times, strain_measure_of(scene)) {}
+    Scene scene;
+    std::vector<double> times;
+    SceneReference solution;
+  };
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Solved>> known_;
+};
+
+/// A run and its scene, which is missing when it was refused.
+struct PreparedRun {
+  StudyRun run;
+  std::optional<Scene> scene;
+};
+
+std::vector<std::string> overrides_of(const StudyGrid& grid, const std::vector<std::string>& axis_values,
+                                      const std::vector<std::string>& set) {
+  std::vector<std::string> overrides = grid.set;
+  for (std::size_t axis = 0; axis < grid.axes.size(); ++axis)
+    overrides.push_back(fmt::format("{}={}", grid.axes[axis].key, axis_values[axis]));
+  overrides.insert(overrides.end(), set.begin(), set.end());
+  return overrides;
+}
+
+/// A run would not be what its line of the table says.
+void refuse_axes(const StudyGrid& grid, const std::vector<std::string>& set) {
+  for (const auto& text : set)
+    for (const auto& axis : grid.axes)
+      if (text.starts_with(axis.key + "="))
+        throw InputError(fmt::format("--set {}: the key is an axis of the study, which gives it its values", text));
+}
+
+void prepare_grid(const StudyDescription& study, std::size_t number, const std::vector<std::string>& set,
+                  std::vector<PreparedRun>& prepared) {
+  const StudyGrid& grid = study.grids[number];
+  refuse_axes(grid, set);
+  const auto file = locate_scene(grid.scene);
+  std::string reason;
+  bool any = false;
+  for (std::size_t k = 0; k < grid.run_count(); ++k) {
+    PreparedRun& one = prepared.emplace_back();
+    one.run.grid = number;
+    one.run.axis_values = grid.values_of(k);
+    try {
+      one.scene = read_scene(file, overrides_of(grid, one.run.axis_values, set));
+      any = true;
+    } catch (const InputError& error) {
+      one.run.reason = error.what();
+      if (reason.empty()) reason = error.what();
+    }
+  }
+  if (!any) throw InputError(reason);
+}
+
+void measure(const StudyGrid& grid, const StudySample& sample, StudyRun& run) {
+  StudyRow& row = run.rows.emplace_back();
+  row.time = sample.frames[sample.number].time;
+  for (const auto& name : grid.measures) row.values.push_back(find_study_measure(name)->of(sample, name));
+}
+
+void perform(const StudyGrid& grid, const Scene& scene, ExactSolutions& exact, StudyRun& run) {
+  const auto simulation = make_simulation(scene);
+  run.particles = simulation->particle_count();
+  run.status = StudyStatus::failed;
+  std::vector<Frame> frames;
+  for (std::size_t number = 0; number < grid.times.size(); ++number) {
+    const auto start = std::chrono::steady_clock::now();
+    while (simulation->time() < grid.times[number]) simulation->advance(grid.times[number]);
+    run.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    run.steps = simulation->step();
+    frames.push_back(simulation->frame());
+    measure(grid, {scene, frames, number, [&]() -> const SceneReference& { return exact.of(scene, grid.times); }}, run);
+  }
+  run.status = StudyStatus::finished;
+}
+
+/// Errors that Anvil throws on purpose are outcomes; others end the study.
+void perform_or_note(const StudyGrid& grid, PreparedRun& one, ExactSolutions& exact) {
+  try {
+    perform(grid, *one.scene, exact, one.run);
+  } catch (const Error& error) {
+    one.run.reason = error.what();
+  }
+}
+
+/// Calls work(item) for all items on several threads; the first exception is thrown on when all have stopped.
+void share_out(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::exception_ptr fault;
+  const auto worker = [&] {
+    set_thread_count(1);  // holds for this thread
+    for (std::size_t item = next++; item < count; item = next++) {
+      try {
+        work(item);
+      } catch (...) {
+        const std::scoped_lock lock(mutex);
+        if (!fault) fault = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  std::vector<std::thread> workers;
+  for (int k = 0; k < threads; ++k) workers.emplace_back(worker);
+  for (auto& one : workers) one.join();
+  if (fault) std::rethrow_exception(fault);
+}
+
+}  // namespace
+
+std::vector<StudyRun> run_study(const StudyDescription& study, const std::vector<std::string>& set, int threads,
+                                const StudyProgress& progress) {
+  std::vector<PreparedRun> prepared;
+  for (std::size_t grid = 0; grid < study.grids.size(); ++grid) prepare_grid(study, grid, set, prepared);
+  ExactSolutions exact;
+  std::mutex mutex;
+  std::size_t done = 0;
+  share_out(prepared.size(), threads, [&](std::size_t item) {
+    PreparedRun& one = prepared[item];
+    if (one.scene) perform_or_note(study.grids[one.run.grid], one, exact);
+    const std::scoped_lock lock(mutex);
+    progress(++done, prepared.size());
+  });
+  std::vector<StudyRun> runs;
+  for (auto& one : prepared) runs.push_back(std::move(one.run));
+  return runs;
+}
+
+}  // namespace anvil
