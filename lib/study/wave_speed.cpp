@@ -14,21 +14,28 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Axial stress at initial positions, from left to right.
-std::vector<std::pair<double, double>> stress_line(const Frame& frame) {
+/// Axial stress over initial position, from left to right.
+using StressLine = std::vector<std::pair<double, double>>;
+
+StressLine stress_line(const Frame& frame) {
   const FrameArray* initial = frame.find("initial_position");
   const FrameArray* stress = frame.find("stress");
   if (initial == nullptr || stress == nullptr) throw InputError("waves are found by initial_position and stress");
-  std::vector<std::pair<double, double>> line;
+  StressLine line;
   for (std::size_t i = 0; i < frame.particle_count(); ++i)
     line.emplace_back(initial->values[3 * i], stress->values[6 * i]);
   std::sort(line.begin(), line.end());
   return line;
 }
 
+StressLine exact_line(const SceneReference& exact, std::size_t time) {
+  StressLine line;
+  for (const auto& point : exact.line(time)) line.emplace_back(point.initial_position, point.stress);
+  return line;
+}
+
 /// The rightmost place where |stress| is `level`.
-double front_position(const Frame& frame, double level) {
-  const auto line = stress_line(frame);
+double front_position(const StressLine& line, double level) {
   for (std::size_t i = line.size() - 1; i > 0; --i) {
     const double ahead = std::abs(line[i].second) - level;
     const double behind = std::abs(line[i - 1].second) - level;
@@ -38,11 +45,14 @@ double front_position(const Frame& frame, double level) {
   return none;
 }
 
-double speed(const StudySample& sample, double level) {
+double speed_ratio(const StudySample& sample, double level) {
   if (sample.number == 0) return none;
-  const Frame& before = sample.frames[sample.number - 1];
-  const Frame& now = sample.frames[sample.number];
-  return (front_position(now, level) - front_position(before, level)) / (now.time - before.time);
+  const std::size_t now = sample.number;
+  const double path = front_position(stress_line(sample.frames[now]), level) -
+                      front_position(stress_line(sample.frames[now - 1]), level);
+  const double exact_path = front_position(exact_line(sample.exact(), now), level) -
+                            front_position(exact_line(sample.exact(), now - 1), level);
+  return path / exact_path;  // both in the same time
 }
 
 double exact_peak(const StudySample& sample) {
@@ -51,28 +61,25 @@ double exact_peak(const StudySample& sample) {
   return peak;
 }
 
-/// The material the wave runs in.
-WaveMaterial rightmost_material(const Scene& scene) {
-  return plate_problem(scene, StrainMeasure::small).layers.back().material;
+/// Of the material that the wave runs in; infinite when it does not yield.
+double elastic_limit(const Scene& scene) {
+  return plate_problem(scene, StrainMeasure::small).layers.back().material.elastic_limit();
 }
 
 }  // namespace
 
 double elastic_speed_ratio(const StudySample& sample, std::string_view) {
-  const WaveMaterial material = rightmost_material(sample.scene);
-  const double level = 0.5 * std::min(exact_peak(sample), material.elastic_limit());
-  return speed(sample, level) / material.elastic_wave_speed();
+  return speed_ratio(sample, 0.5 * std::min(exact_peak(sample), elastic_limit(sample.scene)));
 }
 
 double plastic_speed_ratio(const StudySample& sample, std::string_view) {
-  const WaveMaterial material = rightmost_material(sample.scene);
+  const double limit = elastic_limit(sample.scene);
   const double peak = exact_peak(sample);
-  if (!(peak > material.elastic_limit())) return none;
-  return speed(sample, 0.5 * (material.elastic_limit() + peak)) / material.plastic_wave_speed();
+  return peak > limit ? speed_ratio(sample, 0.5 * (limit + peak)) : none;
 }
 
 double precursor_error(const StudySample& sample, std::string_view) {
-  const double limit = rightmost_material(sample.scene).elastic_limit();
+  const double limit = elastic_limit(sample.scene);
   if (!std::isfinite(limit)) return none;
   const auto line = stress_line(sample.frames[sample.number]);
   // Finite strain moves the limit by less than a percent; plastic waves are further off.
