@@ -127,11 +127,12 @@ void print_quantities(const std::vector<ComparedQuantity>& quantities) {
 }
 
 void print_energies(const History& history) {
-  const double start = required_column(history, "total_energy").front();
-  std::vector<TableRow> rows = {{"energy", "start J", "end J", "of the start"}};
+  const auto& total = required_column(history, "total_energy");
+  const double largest = *std::max_element(total.begin(), total.end());
+  std::vector<TableRow> rows = {{"energy", "start J", "end J", "of the largest total"}};
   for (const auto& part : energy_parts(history))
     rows.push_back(
-        {part.name, fmt::format("{:.6g}", part.start), fmt::format("{:.6g}", part.end), percent(part.end / start)});
+        {part.name, fmt::format("{:.6g}", part.start), fmt::format("{:.6g}", part.end), percent(part.end / largest)});
   fmt::print("\n");
   print_table(rows, "lrrr");
 }

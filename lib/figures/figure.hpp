@@ -17,7 +17,7 @@ struct Color {
 struct Axis {
   std::string label;
   bool logarithmic = false;
-  std::optional<std::array<double, 2>> range;  // absent: from what is drawn, rounded outward
+  std::optional<std::array<double, 2>> range = {};  // absent: from what is drawn, rounded outward
 };
 
 enum class CurveStyle { line, points, reference /* a wide grey line below the others */ };

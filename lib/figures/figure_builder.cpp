@@ -33,6 +33,14 @@ std::string name_of(const std::string& quantity) {
   return name;
 }
 
+/// What columns of a history in one unit have in common.
+std::string kind_of(const std::string& si_unit) {
+  if (si_unit == "J") return "Energy";
+  if (si_unit == "N s") return "Momentum";
+  if (si_unit == "m") return "Length";
+  return "";
+}
+
 std::string time_label(double seconds) {
   const Unit unit = readable_unit("s", std::abs(seconds));
   return fmt::format("{:.4g} {}", seconds / unit.factor, unit.name);
@@ -171,7 +179,7 @@ class PanelBuilder {
       Evaluated x = evaluate("time", columns);
       Evaluated y = evaluate(curve.history, columns);
       settle(x_unit_, panel_.x.label, x.unit, "time");
-      settle(y_unit_, panel_.y.label, y.unit, description_.curves.size() > 1 ? "" : curve.history);
+      settle(y_unit_, panel_.y.label, y.unit, description_.curves.size() > 1 ? kind_of(y.unit) : curve.history);
       std::string label = curve.label;
       if (label.empty() && description_.curves.size() > 1) label = name_of(curve.history);
       if (results_.size() > 1) append(label, result.label);

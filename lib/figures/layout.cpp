@@ -25,7 +25,7 @@ struct Sizes {
 
   static Sizes for_panel(double width, double height) {
     const double share = std::min(width / 1600.0, height / 1000.0);
-    const double s = share < 1.0 ? std::pow(share, 0.75) : 1.0;
+    const double s = share < 1.0 ? std::pow(share, 0.65) : 1.0;
     return {36 * s, 34 * s, 30 * s, 18 * s, 14 * s, 2.5 * s, 3.5 * s, 9 * s, 5 * s};
   }
 };
@@ -43,8 +43,9 @@ class PanelLayout {
         cell_(cell),
         drawing_(drawing),
         sizes_(Sizes::for_panel(cell.width(), cell.height())),
-        x_scale_(panel.x, all_values(&PlottedCurve::x, &PlottedMap::x), true, 8),
-        y_scale_(panel.y, all_values(&PlottedCurve::y, &PlottedMap::y), panel.map.has_value(), 6) {}
+        x_scale_(panel.x, all_values(&PlottedCurve::x, &PlottedMap::x), true, intervals(cell.width(), 8)),
+        y_scale_(panel.y, all_values(&PlottedCurve::y, &PlottedMap::y), panel.map.has_value(),
+                 intervals(cell.height(), 6)) {}
 
   void draw() {
     place_frame();
@@ -59,6 +60,11 @@ class PanelLayout {
   }
 
  private:
+  /// As many as leave room between the numbers of an axis.
+  [[nodiscard]] int intervals(double length, int most) const {
+    return std::clamp(static_cast<int>(length / (5.5 * sizes_.number)), 2, most);
+  }
+
   [[nodiscard]] std::vector<double> all_values(std::vector<double> PlottedCurve::*of_curve,
                                                std::array<double, 2> PlottedMap::*of_map) const {
     std::vector<double> values;
