@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "anvil/boundaries/boundary_tables.hpp"
 
+#include "anvil/boundaries/pressure.hpp"
+
 namespace anvil {
 
 std::span<const EntryKind> boundary_kinds() {
@@ -15,6 +17,7 @@ std::span<const EntryKind> boundary_kinds() {
                 {.name = "normal",
                  .kind = ValueKind::vector,
                  .help = "direction from the wall to the bodies, of any length but zero"}}},
+      pressure_kind(),
   };
   return kinds;
 }

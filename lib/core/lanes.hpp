@@ -40,7 +40,8 @@ struct Lanes {
 
   ANVIL_INLINE static Lanes load(const double* p) { return Lanes(hn::LoadU(Tag(), p)); }
   ANVIL_INLINE void store(double* p) const { hn::StoreU(v, Tag(), p); }
-  ANVIL_INLINE double sum() const { return hn::GetLane(hn::SumOfLanes(Tag(), v)); }
+  [[nodiscard]] ANVIL_INLINE double first() const { return hn::GetLane(v); }
+  [[nodiscard]] ANVIL_INLINE double sum() const { return hn::GetLane(hn::SumOfLanes(Tag(), v)); }
 
   friend ANVIL_INLINE Lanes operator+(Lanes a, Lanes b) { return Lanes(hn::Add(a.v, b.v)); }
   friend ANVIL_INLINE Lanes operator-(Lanes a, Lanes b) { return Lanes(hn::Sub(a.v, b.v)); }

@@ -33,7 +33,8 @@ class StrengthAtWork final : public StrengthUpdate<D> {
     }
   }
 
-  double update(ParticleRange range, const double* velocity_gradient, double time_step) const override {
+  double update(ParticleRange range, const double* velocity_gradient, [[maybe_unused]] const double* lateral_rate,
+                double time_step) const override {
     double work = 0.0;
     if constexpr (Law::resists_shear) {
       for (std::size_t i = range.first(); i < range.last(); ++i) {
@@ -41,9 +42,11 @@ class StrengthAtWork final : public StrengthUpdate<D> {
         if constexpr (Law::has_plastic_strain) history.plastic_strain = plastic_strain_[i];
         if (back_stress_ != nullptr) history.back_stress = StrainState::deviator(back_stress_ + components * i);
         Tensor deviator = StrainState::deviator(deviator_ + components * i);
-        const Tensor gradient = lift_gradient<D>(velocity_gradient);
+        Tensor gradient = lift_gradient<D>(velocity_gradient);
+        if constexpr (D == 1)
+          if (lateral_rate != nullptr) gradient(1, 1) = gradient(2, 2) = *lateral_rate++;
         velocity_gradient += D * D;
-        const PlasticStep step = update_deviator(law_, deviator, history, gradient, time_step);
+        const PlasticStep step = update_deviator<(D > 1)>(law_, deviator, history, gradient, time_step);
         StrainState::store(deviator, deviator_ + components * i);
         if constexpr (Law::has_plastic_strain) plastic_strain_[i] = history.plastic_strain;
         if (back_stress_ != nullptr) StrainState::store(history.back_stress, back_stress_ + components * i);

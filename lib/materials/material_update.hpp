@@ -20,8 +20,10 @@ class StrengthUpdate {
   virtual ~StrengthUpdate() = default;
 
   /// Brings the deviators of the range to the end of a step of time_step (s) under the velocity gradients (D x D per
-  /// particle of the range, 1/s). Returns the plastic work done in the range, J.
-  virtual double update(ParticleRange range, const double* velocity_gradient, double time_step) const = 0;
+  /// particle of the range, 1/s) and, where there are any, lateral rates (1/s; null: none). Returns the plastic work
+  /// done in the range, J.
+  virtual double update(ParticleRange range, const double* velocity_gradient, const double* lateral_rate,
+                        double time_step) const = 0;
   [[nodiscard]] virtual std::string_view law() const = 0;
   [[nodiscard]] virtual bool resists_shear() const = 0;
   [[nodiscard]] virtual double shear_modulus() const = 0;  // Pa

@@ -75,13 +75,17 @@ ANVIL_INLINE Tensor deviatoric_strain_increment(const Tensor& velocity_gradient,
 ///
 /// `deviator` in Pa, symmetric and traceless, is updated in place. `velocity_gradient(a, b)` is dv_a/dx_b in 1/s, at
 /// the middle of the step for second order; `dt` in s. Two-dimensional and one-dimensional scenes pass zeros out of
-/// plane.
-template <class Strength>
+/// plane. Without `Turns` the spin is taken as zero: in one dimension there is none.
+template <bool Turns = true, class Strength>
 ANVIL_INLINE PlasticStep update_deviator(const Strength& strength, Tensor& deviator, StrengthHistory& history,
                                          const Tensor& velocity_gradient, double dt) {
   if constexpr (Strength::resists_shear) {
-    const Tensor rotation = spin_rotation(velocity_gradient, dt);
     const Tensor half_increment = strength.shear_modulus() * deviatoric_strain_increment(velocity_gradient, dt);
+    if constexpr (!Turns) {
+      deviator += 2.0 * half_increment;
+      return strength.return_to_yield(deviator, history);
+    }
+    const Tensor rotation = spin_rotation(velocity_gradient, dt);
     deviator = rotate_symmetric(rotation, deviator + half_increment) + half_increment;
     if (strength.has_back_stress()) history.back_stress = rotate_symmetric(rotation, history.back_stress);
   }

@@ -2,6 +2,7 @@
 // Compiled once per instruction set: the pair loops of one level, handed out as tables of functions. The tables are
 // constants, so that nothing of a level runs before the program has asked the processor what it can do.
 #include "anvil/pairs/collect_loop.hpp"
+#include "anvil/pairs/correction_loop.hpp"
 #include "anvil/pairs/gradient_loop.hpp"
 #include "anvil/pairs/pair_loops.hpp"
 #include "anvil/terms/momentum_loop.hpp"
@@ -25,8 +26,10 @@ constexpr PairLoops<D> table() {
   return {.lanes = lanes<D>,
           .kernels = kernel_loops<D>(std::make_index_sequence<std::variant_size_v<Kernel>>()),
           .collect = &collect_neighbours<D>,
+          .correct_gradients = &correct_gradients<D>,
           .velocity_gradient = &sum_velocity_gradient<D>,
-          .momentum = &sum_momentum<D>,
+          .momentum = &sum_momentum<D, false>,
+          .stress_difference = &sum_momentum<D, true>,
           .viscosity = &sum_viscosity<D>,
           .plain_smoothing = &sum_plain_smoothing<D>,
           .pairwise_smoothing = &sum_pairwise_smoothing<D>};

@@ -154,6 +154,24 @@ void NeighbourList<D>::join_chunks(std::size_t particles) {
 }
 
 template <int D>
+void NeighbourList<D>::append(std::span<const ExtraNeighbour> extra) requires(D == 1) {
+  const std::vector<std::int64_t> old_first = first_;
+  const std::vector<std::int32_t> old_neighbours = neighbours_;
+  std::vector<std::int64_t> added(first_.size(), 0);
+  for (const ExtraNeighbour& one : extra) ++added[static_cast<std::size_t>(one.particle) + 1];
+  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += (added[i] += added[i - 1]);
+  neighbours_.resize(old_neighbours.size() + extra.size());
+  std::vector<std::int64_t> next(first_.size() - 1);
+  for (std::size_t i = 0; i + 1 < first_.size(); ++i) {
+    const auto end = std::copy(old_neighbours.begin() + old_first[i], old_neighbours.begin() + old_first[i + 1],
+                               neighbours_.begin() + first_[i]);
+    next[i] = end - neighbours_.begin();
+  }
+  for (const ExtraNeighbour& one : extra)
+    neighbours_[static_cast<std::size_t>(next[static_cast<std::size_t>(one.particle)]++)] = one.record;
+}
+
+template <int D>
 std::size_t NeighbourList<D>::bytes() const {
   return first_.size() * sizeof(std::int64_t) + neighbours_.size() * sizeof(std::int32_t);
 }

@@ -11,6 +11,12 @@
 
 namespace anvil {
 
+/// A neighbour that no search finds: an image of a particle, which stands in the records behind them.
+struct ExtraNeighbour {
+  std::int32_t particle;
+  std::int32_t record;
+};
+
 /// For each particle all others within reach (h_i + h_j)/2 + skin, so that the list stays complete while the particles
 /// move by less than the skin. Found on a grid of cells into which the particles are sorted; every pair stands twice,
 /// once for each partner. Rows are padded to the width of the vector lanes with the weightless record behind the last
@@ -21,6 +27,9 @@ class NeighbourList {
   /// `reach` is the kernel's support in smoothing lengths; `skin` in m.
   void build(VectorView<D> positions, std::span<const double> smoothing_length, double reach, double skin,
              const PairLoops<D>& loops);
+
+  /// Adds neighbours to the ends of their particles' rows. Only where rows are not padded: in one dimension.
+  void append(std::span<const ExtraNeighbour> extra) requires(D == 1);
 
   [[nodiscard]] const std::int64_t* first() const { return first_.data(); }
   [[nodiscard]] const std::int32_t* neighbours() const { return neighbours_.data(); }

@@ -36,8 +36,10 @@ struct PairLoops {
   /// itself left out; returns how many. `out` has room for all of them and `lanes` more.
   int (*collect)(const Candidates<D>&, std::int64_t begin, std::int64_t end, std::int64_t self, double reach,
                  double skin, std::int32_t* out);
+  int (*correct_gradients)(const PairTile<D>&, const PairRecords<D>&);
   void (*velocity_gradient)(const PairTile<D>&, const PairRecords<D>&, double* out);
   void (*momentum)(const PairTile<D>&, const PairRecords<D>&, const double* divisor, double* acceleration);
+  void (*stress_difference)(const PairTile<D>&, const PairRecords<D>&, const double* divisor, double* acceleration);
   void (*viscosity)(const PairTile<D>&, const PairRecords<D>&, const ViscosityCoefficients&, double* acceleration,
                     double* heating);
   void (*plain_smoothing)(const PairTile<D>&, const PairRecords<D>&, double* change);

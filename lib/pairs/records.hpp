@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <boost/align/aligned_allocator.hpp>
 #include <cstddef>
 #include <vector>
@@ -19,6 +20,12 @@ class Records {
  public:
   static constexpr int size = Size;  // doubles per record
   void resize(std::size_t particles) { values_.assign((particles + 1) * Size, 0.0); }
+  [[nodiscard]] std::size_t count() const { return values_.size() / Size; }
+  /// Keeps the first `records`; new ones are zero.
+  void keep(std::size_t records, std::size_t all) {
+    values_.resize(records * Size);
+    values_.resize(all * Size, 0.0);
+  }
   [[nodiscard]] double* operator[](std::size_t i) { return values_.data() + i * Size; }
   [[nodiscard]] const double* operator[](std::size_t i) const { return values_.data() + i * Size; }
   [[nodiscard]] const double* raw() const { return values_.data(); }
@@ -26,6 +33,9 @@ class Records {
  private:
   std::vector<double, boost::alignment::aligned_allocator<double, 64>> values_;
 };
+
+/// Far outside any support, yet no power of it that a kernel forms overflows.
+inline constexpr double padding_distance = 1e30;  // m
 
 /// The records of a D-dimensional scene; `medium` is filled only when a term asks for it.
 template <int D>
@@ -36,9 +46,36 @@ struct PairRecords {
   Records<small> motion;    // velocity, volume
   Records<large> traction;  // tensor T, weight w: what the momentum sum reads
   Records<4> medium;        // sound speed, density, mass
+
+  /// Room for images of particles (see FaceGhosts) behind the padding record; those of before are gone.
+  void set_images(std::size_t images) {
+    const std::size_t own = particles_ + 1;
+    geometry.keep(own, own + images);
+    motion.keep(own, own + images);
+    traction.keep(own, own + images);
+    if (medium.count() == 0) return;
+    medium.keep(own, own + images);
+    for (std::size_t g = 0; g < images; ++g) medium[own + g][1] = 1.0;  // a density to divide by; their mass stays zero
+  }
+
+  /// All records zero but those of the padding.
+  void resize(std::size_t particles, bool with_medium);
+
+ private:
+  std::size_t particles_ = 0;
 };
 
-/// Far outside any support, yet no power of it that a kernel forms overflows.
-inline constexpr double padding_distance = 1e30;  // m
+template <int D>
+void PairRecords<D>::resize(std::size_t particles, bool with_medium) {
+  particles_ = particles;
+  geometry.resize(particles);
+  motion.resize(particles);
+  traction.resize(particles);
+  std::fill_n(geometry[particles], D, padding_distance);
+  geometry[particles][D] = 1.0;
+  if (!with_medium) return;
+  medium.resize(particles);
+  medium[particles][1] = 1.0;  // a density to divide by; its mass stays zero
+}
 
 }  // namespace anvil

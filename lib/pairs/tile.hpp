@@ -9,9 +9,10 @@ namespace anvil {
 
 /// What pair terms ask the tile to hold beside the gradients.
 struct PairNeeds {
-  bool gradient = false;
-  bool value = false;   // W_ij
-  bool medium = false;  // the record of sound speed, density and mass
+  bool gradient = false;        // of the scene's method: corrected where it corrects
+  bool plain_gradient = false;  // as the kernel gives it
+  bool value = false;           // W_ij
+  bool medium = false;          // the record of sound speed, density and mass
 };
 
 /// A run of particles small enough that their pairs stay in the cache while several terms work on them. Pair k of the
@@ -21,8 +22,11 @@ struct PairTile {
   std::int32_t begin = 0, end = 0;          // particles
   const std::int64_t* first = nullptr;      // by particle: its first pair in the list
   const std::int32_t* neighbour = nullptr;  // the whole list
-  std::array<double*, D> gradient{};        // grad_i W_ij by component, 1/m^(D+1); from pair first[begin]
-  double* value = nullptr;                  // W_ij, 1/m^D; from pair first[begin]
+  // grad_i W_ij by component, 1/m^(D+1), from pair first[begin]. Without a correction, or when nobody asks for the
+  // plain ones, both are the same memory.
+  std::array<double*, D> plain_gradient{}, gradient{};
+  double* value = nullptr;  // W_ij, 1/m^D; from pair first[begin]
+  int uncorrected = 0;      // particles whose gradients could not be corrected
 };
 
 }  // namespace anvil

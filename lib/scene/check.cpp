@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "anvil/boundaries/pressure.hpp"
 #include "anvil/core/error.hpp"
 #include "anvil/scene/overlap.hpp"
 #include "anvil/scene/placement.hpp"
@@ -118,6 +119,61 @@ void check_walls(const Scene& scene, const BodyDescription& body, const Shape<D>
   }
 }
 
+/// A pressure needs a face of its own: where another body begins there is none.
+void check_loaded_face(const Scene& scene, const BoundaryDescription& boundary, Contradictions& found) {
+  const Parameters& load = boundary.entry.parameters;
+  const auto end_of = [&](const BodyDescription& body, bool left) {
+    return body.shape.parameters.number(left ? "min" : "max");
+  };
+  const bool left = load.text("face") == "left";
+  const auto loaded = std::find_if(scene.bodies.begin(), scene.bodies.end(),
+                                   [&](const auto& body) { return body.name == load.text("body"); });
+  if (loaded == scene.bodies.end()) {
+    found.push_back(
+        {fmt::format("boundary.{}.body", boundary.name), fmt::format("no body is named '{}'", load.text("body"))});
+    return;
+  }
+  for (const auto& other : scene.bodies) {
+    const double gap = std::abs(end_of(*loaded, left) - end_of(other, !left));
+    if (other.name == loaded->name || gap > scene.discretisation.spacing) continue;
+    found.push_back(
+        {fmt::format("boundary.{}.face", boundary.name),
+         fmt::format("the {} face of '{}' is covered by the body '{}'", load.text("face"), loaded->name, other.name)});
+  }
+}
+
+void check_pressures(const Scene& scene, Contradictions& found) {
+  for (const auto& boundary : scene.boundaries) {
+    if (boundary.entry.type != "pressure") continue;
+    check_loaded_face(scene, boundary, found);
+    try {
+      (void)make_load_history(boundary.entry.parameters);
+    } catch (const InputError& error) {
+      found.push_back({fmt::format("boundary.{}.history", boundary.name), error.what()});
+    }
+  }
+}
+
+/// Choices of the method that cannot stand together.
+void check_method(const Scene& scene, Contradictions& found) {
+  const auto& [method, form] = std::pair(scene.discretisation.method, scene.discretisation.momentum_form);
+  if (method == "cspm" && form != "difference")
+    found.push_back(
+        {"discretisation.momentum_form",
+         fmt::format("{} does not go with cspm, which takes stress differences; leave the key out, or choose "
+                     "the method kernel_gradient_correction",
+                     form)});
+  if (method == "kernel_gradient_correction" && form == "difference")
+    found.push_back({"discretisation.momentum_form",
+                     "difference with corrected gradients is the method cspm; kernel_gradient_correction takes a sum"});
+  if (scene.shock.method == "fct" && scene.domain.dimension != 1)
+    found.push_back(
+        {"shock.method",
+         fmt::format("flux-corrected transport needs particles in one line, and this scene has {} dimensions; "
+                     "use artificial_viscosity",
+                     scene.domain.dimension)});
+}
+
 void check_normals(const Scene& scene, Contradictions& found) {
   for (const auto& boundary : scene.boundaries) {
     if (!boundary.entry.parameters.has("normal")) continue;
@@ -185,6 +241,8 @@ std::vector<Contradiction> find_contradictions(const Scene& scene) {
   check_strain_state(scene.domain, found);
   check_times(scene, found);
   check_normals(scene, found);
+  check_pressures(scene, found);
+  check_method(scene, found);
   check_neighbours(scene, found);
   check_speeds(scene, found);
   if (scene.domain.dimension == 1) check_bodies<1>(scene, found);

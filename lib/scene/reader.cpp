@@ -259,6 +259,8 @@ void fill_derived_defaults(Scene& scene) {
     const std::string_view by_dimension[] = {"uniaxial_strain", "plane_strain", "full"};
     scene.domain.strain_state = by_dimension[scene.domain.dimension - 1];
   }
+  if (scene.discretisation.momentum_form.empty())
+    scene.discretisation.momentum_form = scene.discretisation.method == "cspm" ? "difference" : "sum";
   constexpr double frames = 20.0;
   if (scene.output.interval == 0.0) scene.output.interval = scene.time.end / frames;
   if (scene.output.interval == 0.0)

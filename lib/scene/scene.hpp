@@ -74,6 +74,10 @@ struct Shock {
   std::string method;
   double linear_coefficient;     // alpha of Monaghan and Gingold
   double quadratic_coefficient;  // beta
+  double softening;              // eps
+  double diffusion;              // eta1 of flux-corrected transport
+  double antidiffusion;          // eta2
+  std::string limiter;
   bool operator==(const Shock&) const = default;
 };
 

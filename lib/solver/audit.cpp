@@ -51,7 +51,7 @@ double Solver<D>::minimum_pair_distance() const {
     for (std::size_t i = tiles_[tile].range.first(); i < tiles_[tile].range.last(); ++i) {
       for (std::int64_t k = neighbours_.row_begin(i); k < neighbours_.row_end(i); ++k) {
         const auto j = static_cast<std::size_t>(neighbour[k]);
-        if (j == mass_.size()) break;  // padding
+        if (j >= mass_.size()) break;  // padding or images
         nearest[tile] = std::min(nearest[tile], (position_[i] - position_[j]).squaredNorm());
       }
     }
@@ -73,7 +73,8 @@ std::vector<AuditValue> Solver<D>::audit() const {
   const double total =
       kinetic + elastic + ledger_.plastic_work + ledger_.viscous_loss + ledger_.smoothing_loss + ledger_.wall_loss;
   const Vec<D> present = momentum();
-  const Vec<D> unexplained = present - ledger_.start_momentum - ledger_.wall_impulse - ledger_.smoothing_impulse;
+  const Vec<D> unexplained =
+      present - ledger_.start_momentum - ledger_.wall_impulse - ledger_.smoothing_impulse - ledger_.pressure_impulse;
 
   std::vector<AuditValue> row;
   row.push_back({"mass", "kg", mass});
@@ -86,9 +87,14 @@ std::vector<AuditValue> Solver<D>::audit() const {
   row.push_back({"smoothing_loss", "J", ledger_.smoothing_loss});
   row.push_back({"wall_loss", "J", ledger_.wall_loss});
   row.push_back({"total_energy", "J", total});
-  row.push_back({"energy_error", "J", total - ledger_.start_energy});
+  row.push_back({"energy_error", "J", total - ledger_.start_energy - ledger_.pressure_work});
   add_vector<D>(row, "wall_impulse", "N s", ledger_.wall_impulse);
   add_vector<D>(row, "smoothing_impulse", "N s", ledger_.smoothing_impulse);
+  if (!recipe_.loads.empty()) {
+    add_vector<D>(row, "pressure_impulse", "N s", ledger_.pressure_impulse);
+    row.push_back({"pressure_work", "J", ledger_.pressure_work});
+  }
+  if (recipe_.corrected_gradients) row.push_back({"uncorrected_particles", "", ledger_.uncorrected});
   row.push_back({"momentum_error", "N s", unexplained.norm()});
   row.push_back({"minimum_pair_distance", "m", minimum_pair_distance()});
   row.push_back({"list_builds", "", static_cast<double>(list_builds_)});

@@ -11,13 +11,22 @@ Explanation Solver<D>::explain() const {
   const auto add = [&](std::string_view name, std::string_view purpose) {
     explanation.terms.push_back({std::string(name), std::string(purpose)});
   };
+  if (recipe_.corrected_gradients)
+    add("gradient_correction",
+        "makes gradients exact for linear fields; particles without enough neighbours keep plain ones");
+  if (recipe_.face_ghosts) add("face_ghosts", "images behind the ends of the line, with the stress odd about the face");
+  for (std::size_t k = 0; k < recipe_.loads.size(); ++k) add("pressure", "a pressure over time on a face");
   for (const auto& force : recipe_.forces) add(force->name(), force->purpose());
   for (const auto& filter : recipe_.filters) add(filter->name(), filter->purpose());
+  if (recipe_.transport)
+    add("flux_corrected_transport", "spreads and gathers velocities, then densities, along the line");
   for (const auto& boundary : recipe_.boundaries) add(boundary->name(), boundary->purpose());
   add("velocity_gradient", "d v_a / d x_b from velocity differences");
   add("continuity", smoothing_length_varies_ ? "density and smoothing length follow the divergence"
                                              : "density follows the divergence");
   for (const auto& body : recipe_.bodies) {
+    if (body.lateral_release)
+      add("lateral_release", "lateral strain that leaves no lateral stress in body '" + body.name + "'");
     const std::string of_body = " of body '" + body.name + "'";
     if (body.strength->resists_shear()) add("strength", std::string(body.strength->law()) + of_body);
     add("equation_of_state", std::string(body.eos->law()) + of_body);
@@ -55,7 +64,7 @@ std::int64_t Solver<D>::count_pairs() const {
   for (std::size_t i = 0; i < particle_count(); ++i) {
     for (std::int64_t k = neighbours_.row_begin(i); k < neighbours_.row_end(i); ++k) {
       const auto j = static_cast<std::size_t>(neighbours_.neighbours()[k]);
-      if (j == particle_count()) break;  // padding
+      if (j >= particle_count()) break;  // padding or images
       const double reach = 0.5 * recipe_.support * (smoothing_length_[i] + smoothing_length_[j]);
       if ((position_[i] - position_[j]).squaredNorm() < reach * reach) ++pairs;
     }

@@ -42,14 +42,21 @@ double elastic_wave_speed(const MaterialDescription& material) {
   return std::sqrt(bulk + 4.0 / 3.0 * shear / material.density);
 }
 
+MomentumForm momentum_form_of(const Scene& scene) {
+  const std::string& form = scene.discretisation.momentum_form;
+  if (form == "difference") return MomentumForm::difference;
+  return form == "density_squared" ? MomentumForm::density_squared : MomentumForm::sum;
+}
+
 template <int D>
 void add_forces(const Scene& scene, FieldStore& fields, Recipe<D>& recipe) {
-  const MomentumForm form =
-      scene.discretisation.momentum_form == "density_squared" ? MomentumForm::density_squared : MomentumForm::sum;
+  const MomentumForm form = momentum_form_of(scene);
+  recipe.corrected_gradients = scene.discretisation.method != "sph";
   recipe.forces.push_back(std::make_unique<Momentum<D>>(fields, form));
   if (scene.shock.method == "artificial_viscosity") {
     const ViscosityCoefficients coefficients{.linear = scene.shock.linear_coefficient,
-                                             .quadratic = scene.shock.quadratic_coefficient};
+                                             .quadratic = scene.shock.quadratic_coefficient,
+                                             .softening = scene.shock.softening};
     recipe.forces.push_back(std::make_unique<Viscosity<D>>(coefficients));
   }
 }
@@ -71,6 +78,7 @@ void add_filters(const Scene& scene, Recipe<D>& recipe) {
 template <int D>
 void add_boundaries(const Scene& scene, Recipe<D>& recipe) {
   for (const auto& boundary : scene.boundaries) {
+    if (boundary.entry.type == "pressure" && D == 1) continue;
     if (boundary.entry.type != "rigid_wall")
       throw InputError("boundary '" + boundary.name + "' has type '" + boundary.entry.type +
                        "', which no solver knows");
@@ -81,11 +89,45 @@ void add_boundaries(const Scene& scene, Recipe<D>& recipe) {
   }
 }
 
+PressureLoad make_load(const Scene& scene, const BoundaryDescription& boundary,
+                       const std::vector<ParticleRange>& ranges, std::span<const double> positions) {
+  const Parameters& parameters = boundary.entry.parameters;
+  const auto body = std::find_if(scene.bodies.begin(), scene.bodies.end(),
+                                 [&](const auto& one) { return one.name == parameters.text("body"); });
+  if (body == scene.bodies.end())
+    throw InputError("boundary '" + boundary.name + "' names the body '" + parameters.text("body") +
+                     "', which the scene does not define");
+  const ParticleRange range = ranges[static_cast<std::size_t>(body - scene.bodies.begin())];
+  const auto ends = std::minmax_element(positions.begin() + range.begin, positions.begin() + range.end);
+  const bool left = parameters.text("face") == "left";
+  return {static_cast<std::size_t>((left ? ends.first : ends.second) - positions.begin()), left ? 1.0 : -1.0,
+          make_load_history(parameters)};
+}
+
+/// What needs the order of particles in a line.
+void add_line_terms(const Scene& scene, const std::vector<ParticleRange>& ranges, FieldStore& fields,
+                    Recipe<1>& recipe) {
+  for (const auto& boundary : scene.boundaries)
+    if (boundary.entry.type == "pressure")
+      recipe.loads.push_back(make_load(scene, boundary, ranges, fields.scalar(field::position)));
+  const auto order = line_order(fields.scalar(field::position));
+  if (momentum_form_of(scene) == MomentumForm::difference)
+    recipe.face_ghosts = std::make_unique<FaceGhosts>(fields, order, recipe.support);
+  if (scene.shock.method != "fct") return;
+  TransportCoefficients coefficients{.diffusion = scene.shock.diffusion, .antidiffusion = scene.shock.antidiffusion};
+  if (scene.shock.limiter == "six_arguments") coefficients.limiter = FluxLimiter::six_arguments;
+  std::vector<double> reference_density;
+  for (const auto& body : scene.bodies) reference_density.push_back(material_of(scene, body).density);
+  recipe.transport =
+      std::make_unique<LineTransport>(fields, order, ranges, reference_density, recipe.support, coefficients);
+}
+
 template <class Terms>
 PairNeeds needs_of(const Terms& terms) {
   PairNeeds needs;
   for (const auto& term : terms) {
     needs.gradient |= term->needs().gradient;
+    needs.plain_gradient |= term->needs().plain_gradient;
     needs.value |= term->needs().value;
     needs.medium |= term->needs().medium;
   }
@@ -131,13 +173,17 @@ Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& rang
   recipe.variable_smoothing_length = scene.discretisation.variable_smoothing_length;
   for (std::size_t b = 0; b < ranges.size(); ++b) {
     const MaterialDescription& material = material_of(scene, scene.bodies[b]);
-    recipe.bodies.push_back({scene.bodies[b].name, ranges[b],
-                             make_strength_update<D>(make_strength(material.strength), fields),
-                             make_eos_update<D>(make_eos(material.eos, material.density), fields)});
+    const Strength strength = make_strength(material.strength);
+    const Eos eos = make_eos(material.eos, material.density);
+    recipe.bodies.push_back({scene.bodies[b].name, ranges[b], make_strength_update<D>(strength, fields),
+                             make_eos_update<D>(eos, fields), nullptr});
+    if (scene.domain.strain_state == "uniaxial_stress")
+      recipe.bodies.back().lateral_release = make_lateral_release(strength, eos, fields);
   }
   add_forces(scene, fields, recipe);
   add_filters(scene, recipe);
   add_boundaries(scene, recipe);
+  if constexpr (D == 1) add_line_terms(scene, ranges, fields, recipe);
   recipe.force_needs = needs_of(recipe.forces);
   recipe.filter_needs = needs_of(recipe.filters);
   return recipe;

@@ -6,10 +6,13 @@
 #include <vector>
 
 #include "anvil/boundaries/boundary.hpp"
+#include "anvil/boundaries/face_ghosts.hpp"
 #include "anvil/kernels/kernel.hpp"
+#include "anvil/materials/lateral_release.hpp"
 #include "anvil/materials/material_update.hpp"
 #include "anvil/scene/scene.hpp"
 #include "anvil/terms/force_term.hpp"
+#include "anvil/terms/line_transport.hpp"
 #include "anvil/terms/velocity_filter.hpp"
 
 namespace anvil {
@@ -21,6 +24,7 @@ struct Body {
   ParticleRange range;
   std::unique_ptr<StrengthUpdate<D>> strength;
   std::unique_ptr<EosUpdate<D>> eos;
+  std::unique_ptr<LateralRelease> lateral_release;  // in uniaxial stress
 };
 
 /// What a step of a scene is made of, in order. Nothing in it knows the names of the scene's models any more.
@@ -29,10 +33,15 @@ struct Recipe {
   Kernel kernel;
   double support = 0.0;  // of the kernel, in smoothing lengths
   bool variable_smoothing_length = true;
+  bool corrected_gradients = false;
   std::vector<Body<D>> bodies;
   std::vector<std::unique_ptr<ForceTerm<D>>> forces;
   std::vector<std::unique_ptr<VelocityFilter<D>>> filters;
   std::vector<std::unique_ptr<Boundary<D>>> boundaries;
+  // Only in one dimension, where particles form a line with two ends.
+  std::vector<PressureLoad> loads;
+  std::unique_ptr<FaceGhosts> face_ghosts;
+  std::unique_ptr<LineTransport> transport;
   PairNeeds force_needs, filter_needs;
 };
 

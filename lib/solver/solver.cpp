@@ -42,12 +42,15 @@ Solver<D>::Solver(const Scene& scene)
     fields_.require(field::listed_smoothing_length);
     listed_smoothing_length_ = fields_.scalar(field::listed_smoothing_length);
   }
-  if (!recipe_.filters.empty()) {
+  velocities_filtered_ = !recipe_.filters.empty() || recipe_.transport != nullptr;
+  load_steps_.resize(recipe_.loads.size());
+  face_stress_.resize(recipe_.loads.size());
+  if (velocities_filtered_) {
     fields_.require(field::start_velocity, D);
     start_velocity_ = fields_.vector<D>(field::start_velocity);
   }
   make_tiles();
-  pad_records();
+  records_.resize(particle_count(), medium_needed_);
   list_neighbours();
   strain(0.0);
   first_step_limit_ = step_limit_;
@@ -72,11 +75,14 @@ void Solver<D>::size_scratch() {
   scratch_.resize(static_cast<std::size_t>(thread_count()));
   for (Scratch& scratch : scratch_) {
     for (auto& component : scratch.gradient) component.resize(std::max(pairs, component.size()));
+    if (recipe_.corrected_gradients && recipe_.force_needs.gradient && recipe_.force_needs.plain_gradient)
+      for (auto& component : scratch.plain_gradient) component.resize(std::max(pairs, component.size()));
     if (recipe_.force_needs.value || recipe_.filter_needs.value)
       scratch.value.resize(std::max(pairs, scratch.value.size()));
     scratch.per_particle.resize(static_cast<std::size_t>(tile_size * D * D));
     scratch.loss.resize(tile_size);
     scratch.sound_speed.resize(tile_size);
+    if (D == 1) scratch.lateral_rate.resize(tile_size);
   }
 }
 
@@ -87,14 +93,20 @@ PairTile<D> Solver<D>::open_tile(const Tile& tile, Scratch& scratch, PairNeeds n
   pairs.end = tile.range.end;
   pairs.first = neighbours_.first();
   pairs.neighbour = neighbours_.neighbours();
-  for (std::size_t a = 0; a < D; ++a) pairs.gradient[a] = scratch.gradient[a].data();
+  const bool correct = needs.gradient && recipe_.corrected_gradients;
+  for (std::size_t a = 0; a < D; ++a) {
+    pairs.gradient[a] = scratch.gradient[a].data();
+    pairs.plain_gradient[a] = correct && needs.plain_gradient ? scratch.plain_gradient[a].data() : pairs.gradient[a];
+  }
   pairs.value = scratch.value.data();
-  if (needs.gradient && needs.value)
+  const bool gradient = needs.gradient || needs.plain_gradient;
+  if (gradient && needs.value)
     kernel_loops_.both(pairs, records_);
-  else if (needs.gradient)
+  else if (gradient)
     kernel_loops_.gradients(pairs, records_);
   else if (needs.value)
     kernel_loops_.values(pairs, records_);
+  if (correct) pairs.uncorrected = loops_.correct_gradients(pairs, records_);
   return pairs;
 }
 
@@ -117,21 +129,10 @@ void Solver<D>::pack_motion(ParticleRange range) {
 }
 
 template <int D>
-void Solver<D>::pad_records() {
-  const std::size_t particles = fields_.particle_count();
-  records_.geometry.resize(particles);
-  records_.motion.resize(particles);
-  records_.traction.resize(particles);
-  std::fill_n(records_.geometry[particles], D, padding_distance);
-  records_.geometry[particles][D] = 1.0;
-  if (!medium_needed_) return;
-  records_.medium.resize(particles);
-  records_.medium[particles][1] = 1.0;  // a density to divide by; its mass stays zero
-}
-
-template <int D>
 void Solver<D>::list_neighbours() {
   neighbours_.build(position_, smoothing_length_, recipe_.support, skin_, loops_);
+  if constexpr (D == 1)
+    if (recipe_.face_ghosts) recipe_.face_ghosts->list(neighbours_, records_, skin_);
   size_scratch();
   for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) {
     for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {

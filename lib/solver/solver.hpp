@@ -20,6 +20,7 @@ struct TileReport {
   double smoothing_loss = 0.0;                             // J
   Vec<D> smoothing_impulse = Vec<D>::Zero();               // N s
   double wall_loss = 0.0;                                  // J
+  int uncorrected = 0;                                     // particles without a corrected gradient
   Vec<D> wall_impulse = Vec<D>::Zero();                    // N s, on the particles
   Vec<D> least_displacement, greatest_displacement;        // m, since the neighbour list was made
   double greatest_growth = 0.0;                            // m, of smoothing lengths since then
@@ -37,6 +38,9 @@ struct Ledger {
   double wall_loss = 0.0;                     // J
   Vec<D> smoothing_impulse = Vec<D>::Zero();  // N s
   Vec<D> wall_impulse = Vec<D>::Zero();       // N s
+  Vec<D> pressure_impulse = Vec<D>::Zero();   // N s
+  double pressure_work = 0.0;                 // J, done on the bodies
+  double uncorrected = 0.0;                   // sum over the steps of the particles that kept plain gradients
   double start_energy = 0.0;                  // J
   Vec<D> start_momentum = Vec<D>::Zero();     // N s
 };
@@ -65,26 +69,33 @@ class Solver final : public Simulation {
     int body;
   };
   struct Scratch {  // of one thread
-    std::vector<double> gradient[D], value;
+    std::vector<double> gradient[D], plain_gradient[D], value;
     std::vector<double> per_particle;  // velocity gradients, accelerations or changes of the tile
-    std::vector<double> loss, sound_speed;
+    std::vector<double> loss, sound_speed, lateral_rate;
   };
 
   // step.cpp, in the order of a step
   double choose_time_step(double latest) const;
   void accelerate(double kick);
+  void load_faces(double kick);
+  void kick_loaded_faces();
+  void account_loads();
   void filter_velocities(double time_step);
+  void transport_velocities();
   void move(double time_step);
   void refresh_neighbours();
   void strain(double time_step);
+  void transport_densities();
 
   void accelerate_tile(const Tile& tile, Scratch& scratch, double kick, TileReport<D>& report);
   void filter_tile(const Tile& tile, const VelocityFilter<D>& filter, Scratch& scratch, double time_step,
                    TileReport<D>& report);
   void move_tile(const Tile& tile, double time_step, TileReport<D>& report);
   void apply_boundaries(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
-  void strain_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
-  void update_density(ParticleRange range, const double* velocity_gradient, double time_step);
+  void deform_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
+  void respond_tile(const Tile& tile, Scratch& scratch, TileReport<D>& report);
+  void update_density(ParticleRange range, const double* velocity_gradient, const double* lateral_rate,
+                      double time_step);
   void pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report);
 
   // solver.cpp and tiles.hpp
@@ -95,7 +106,6 @@ class Solver final : public Simulation {
   void size_scratch();
   void pack_geometry(ParticleRange range);
   void pack_motion(ParticleRange range);
-  void pad_records();
   void list_neighbours();
 
   // guards.cpp
@@ -124,11 +134,19 @@ class Solver final : public Simulation {
   std::vector<Scratch> scratch_;
   bool medium_needed_ = false;
   bool smoothing_length_varies_ = true;
+  bool velocities_filtered_ = false;
 
   VectorView<D> position_, initial_position_, velocity_, listed_position_;
-  VectorView<D> start_velocity_;  // only with filters
+  VectorView<D> start_velocity_;  // only where velocities are filtered
   std::span<double> mass_, density_, smoothing_length_, pressure_;
   std::span<double> listed_smoothing_length_;  // empty while h is constant
+
+  struct LoadStep {                // of one load in the present step
+    double impulse = 0.0;          // N s, towards the body
+    double velocity_before = 0.0;  // m/s, of its particle
+  };
+  std::vector<LoadStep> load_steps_;
+  std::vector<double> face_stress_;  // Pa, by load: the mean over the kick
 
   double skin_ = 0.0;  // m
   double time_ = 0.0, time_step_ = 0.0, step_limit_ = 0.0, first_step_limit_ = 0.0;

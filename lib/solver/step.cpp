@@ -55,8 +55,10 @@ void Solver<D>::accelerate(double kick) {
     pack_geometry(tile.range);
     pack_motion(tile.range);
   });
+  load_faces(kick);
   for_each_tile(
       [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) { accelerate_tile(tile, scratch, kick, report); });
+  kick_loaded_faces();
   for (const auto& report : reports_) ledger_.viscous_loss += report.viscous_loss;
 }
 
@@ -70,7 +72,7 @@ void Solver<D>::accelerate_tile(const Tile& tile, Scratch& scratch, double kick,
   report.viscous_loss = 0.0;
   for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
     const std::size_t local = i - tile.range.first();
-    if (!recipe_.filters.empty()) start_velocity_[i] = velocity_[i];
+    if (velocities_filtered_) start_velocity_[i] = velocity_[i];
     for (std::size_t a = 0; a < D; ++a) velocity_.raw()[i * D + a] += kick * acceleration[local * D + a];
     report.viscous_loss += kick * mass_[i] * scratch.loss[local];
   }
@@ -89,6 +91,7 @@ void Solver<D>::filter_velocities(double time_step) {
       ledger_.smoothing_impulse += report.smoothing_impulse;
     }
   }
+  if (recipe_.transport) transport_velocities();
 }
 
 // Energy account. Forces, filters and boundaries each give a particle an impulse in the step from one half time to the
@@ -124,6 +127,7 @@ void Solver<D>::move(double time_step) {
     ledger_.wall_impulse += report.wall_impulse;
     ledger_.wall_loss += report.wall_loss;
   }
+  account_loads();
   check_reports();  // before the neighbour search meets a position that is none
 }
 
@@ -142,7 +146,7 @@ void Solver<D>::apply_boundaries(const Tile& tile, Scratch& scratch, double time
     // The records still hold the velocities that the filter read; without filters, those before the kick.
     const Eigen::Map<const Vec<D>> recorded(records_.motion[i]);
     Vec<D> twice_mean = velocity_[i];
-    if (recipe_.filters.empty())
+    if (!velocities_filtered_)
       twice_mean += recorded;
     else
       twice_mean += start_velocity_[i] + (incoming - recorded);  // the filter's mean lacked this impulse
@@ -187,12 +191,26 @@ void Solver<D>::refresh_neighbours() {
 
 template <int D>
 void Solver<D>::strain(double time_step) {
-  for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
-    strain_tile(tile, scratch, time_step, report);
-  });
+  if constexpr (D == 1)
+    if (recipe_.face_ghosts) recipe_.face_ghosts->hide(records_);
+  if (recipe_.transport && time_step > 0.0) {  // its densities come before any stress of the step
+    recipe_.transport->remember_density();
+    for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+      deform_tile(tile, scratch, time_step, report);
+    });
+    transport_densities();
+    for_each_tile(
+        [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) { respond_tile(tile, scratch, report); });
+  } else {
+    for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+      deform_tile(tile, scratch, time_step, report);
+      respond_tile(tile, scratch, report);
+    });
+  }
   step_limit_ = std::numeric_limits<double>::max();
   for (const auto& report : reports_) {
     ledger_.plastic_work += report.plastic_work;
+    ledger_.uncorrected += report.uncorrected;
     if (report.step_limit < step_limit_) {
       step_limit_ = report.step_limit;
       limiting_particle_ = report.limiting_particle;
@@ -201,30 +219,47 @@ void Solver<D>::strain(double time_step) {
 }
 
 template <int D>
-void Solver<D>::strain_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
+void Solver<D>::deform_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
   const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];
   double* velocity_gradient = scratch.per_particle.data();
   report.plastic_work = 0.0;
+  report.uncorrected = 0;
   if (time_step > 0.0) {
-    loops_.velocity_gradient(open_tile(tile, scratch, {.gradient = true}), records_, velocity_gradient);
+    const PairTile<D> pairs = open_tile(tile, scratch, {.gradient = true});
+    report.uncorrected = pairs.uncorrected;
+    loops_.velocity_gradient(pairs, records_, velocity_gradient);
     take_to_mid_step<D>(velocity_gradient, tile.range.count(), time_step);
-    update_density(tile.range, velocity_gradient, time_step);
-    report.plastic_work = body.strength->update(tile.range, velocity_gradient, time_step);
+    const double* lateral_rate = nullptr;
+    if (body.lateral_release) {
+      body.lateral_release->find_rates(tile.range, velocity_gradient, time_step, scratch.lateral_rate.data());
+      lateral_rate = scratch.lateral_rate.data();
+    }
+    update_density(tile.range, velocity_gradient, lateral_rate, time_step);
+    report.plastic_work = body.strength->update(tile.range, velocity_gradient, lateral_rate, time_step);
   }
+}
+
+/// Stress and what follows from it, from the new densities and deviators.
+template <int D>
+void Solver<D>::respond_tile(const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+  const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];
   body.eos->update(tile.range, scratch.sound_speed.data());
   for (const auto& force : recipe_.forces) force->pack(tile.range, records_);
   pack_limit_and_check(tile, scratch.sound_speed.data(), report);
 }
 
-/// drho/dt = -rho div v and dh/dt = (h/d) div v over one step, by the midpoint rule.
+/// drho/dt = -rho div v and dh/dt = (h/d) div v over one step, by the midpoint rule. The smoothing length belongs to
+/// the directions in which particles stand side by side: what a bar does across its axis does not count.
 template <int D>
-void Solver<D>::update_density(ParticleRange range, const double* velocity_gradient, double time_step) {
+void Solver<D>::update_density(ParticleRange range, const double* velocity_gradient, const double* lateral_rate,
+                               double time_step) {
   for (std::size_t i = range.first(); i < range.last(); ++i, velocity_gradient += D * D) {
     double divergence = 0.0;
     for (int a = 0; a < D; ++a) divergence += velocity_gradient[a * (D + 1)];
-    const double half = 0.5 * time_step * divergence;
+    const double half_stretch = 0.5 * time_step * divergence;
+    const double half = lateral_rate == nullptr ? half_stretch : half_stretch + time_step * *lateral_rate++;
     density_[i] *= (1.0 - half) / (1.0 + half);
-    if (smoothing_length_varies_) smoothing_length_[i] *= (1.0 + half / D) / (1.0 - half / D);
+    if (smoothing_length_varies_) smoothing_length_[i] *= (1.0 + half_stretch / D) / (1.0 - half_stretch / D);
   }
 }
 

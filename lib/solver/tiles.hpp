@@ -6,14 +6,21 @@
 
 namespace anvil {
 
+/// A tile in one dimension is done in a microsecond: only long lines of them are worth a second thread.
+template <int D>
+inline constexpr int least_shared_tiles = D == 1 ? 64 : 2;
+
 /// work(tile, scratch of the thread, report of the tile) for all tiles, spread over the threads.
 template <int D>
 template <class Work>
 void Solver<D>::for_each_tile(Work&& work) {
-  for_each_parallel(static_cast<int>(tiles_.size()), [&](int tile, int thread) {
-    const auto index = static_cast<std::size_t>(tile);
-    work(tiles_[index], scratch_[static_cast<std::size_t>(thread)], reports_[index]);
-  });
+  for_each_parallel(
+      static_cast<int>(tiles_.size()),
+      [&](int tile, int thread) {
+        const auto index = static_cast<std::size_t>(tile);
+        work(tiles_[index], scratch_[static_cast<std::size_t>(thread)], reports_[index]);
+      },
+      least_shared_tiles<D>);
 }
 
 }  // namespace anvil

@@ -7,14 +7,16 @@
 
 namespace anvil {
 
-/// The two discrete divergences of stress on offer. Both conserve linear momentum to round-off: with h_ij symmetric the
-/// force of a pair is antisymmetric.
+/// The discrete divergences of stress on offer. The first two conserve linear momentum to round-off: with h_ij
+/// symmetric the force of a pair is antisymmetric. The third is exact for linear stress where the gradients are
+/// corrected.
 enum class MomentumForm {
   sum,              // a_i = (1/rho_i) sum_j V_j (sigma_i + sigma_j) . grad_ij  (Long 2007, equation 9)
   density_squared,  // a_i = sum_j m_j (sigma_i/rho_i^2 + sigma_j/rho_j^2) . grad_ij  (Monaghan 1992, equation 3.3)
+  difference,       // a_i = (1/rho_i) sum_j V_j (sigma_j - sigma_i) . grad_ij  (Wang 2002; Sun 2017)
 };
 
-/// Acceleration by stress. One loop serves both forms: a_i = scale_i sum_j w_j (T_i + T_j) . grad_ij with T = sigma,
+/// Acceleration by stress. One loop serves the sums: a_i = scale_i sum_j w_j (T_i + T_j) . grad_ij with T = sigma,
 /// w = V, scale = 1/rho, or T = sigma/rho^2, w = m, scale = 1.
 template <int D>
 class Momentum final : public ForceTerm<D> {
@@ -30,28 +32,33 @@ class Momentum final : public ForceTerm<D> {
 
   [[nodiscard]] std::string_view name() const override { return "momentum"; }
   [[nodiscard]] std::string_view purpose() const override {
-    return form_ == MomentumForm::sum ? "acceleration by stress, V_i V_j (sigma_i + sigma_j)"
-                                      : "acceleration by stress, m_i m_j (sigma_i/rho_i^2 + sigma_j/rho_j^2)";
+    if (form_ == MomentumForm::sum) return "acceleration by stress, V_i V_j (sigma_i + sigma_j)";
+    if (form_ == MomentumForm::difference) return "acceleration by stress, V_j (sigma_j - sigma_i)";
+    return "acceleration by stress, m_i m_j (sigma_i/rho_i^2 + sigma_j/rho_j^2)";
   }
-  [[nodiscard]] PairNeeds needs() const override { return {.gradient = true}; }
+  [[nodiscard]] PairNeeds needs() const override {
+    return {.gradient = form_ == MomentumForm::difference, .plain_gradient = form_ != MomentumForm::difference};
+  }
 
   void pack(ParticleRange range, PairRecords<D>& records) const override {
     constexpr int components = symmetric_components<D>;
     for (std::size_t i = range.first(); i < range.last(); ++i) {
       double* record = records.traction[i];
-      const double scale = form_ == MomentumForm::sum ? 1.0 : 1.0 / (density_[i] * density_[i]);
+      const double scale = form_ != MomentumForm::density_squared ? 1.0 : 1.0 / (density_[i] * density_[i]);
       for (std::size_t c = 0; c < components; ++c) {
         const double deviator = deviator_ == nullptr ? 0.0 : deviator_[i * components + c];
         record[c] = scale * (c < D ? deviator - pressure_[i] : deviator);
       }
-      record[components] = form_ == MomentumForm::sum ? mass_[i] / density_[i] : mass_[i];
+      record[components] = form_ != MomentumForm::density_squared ? mass_[i] / density_[i] : mass_[i];
     }
   }
 
   void accumulate(const PairTile<D>& tile, const PairRecords<D>& records, double* acceleration,
                   double* /*loss*/) const override {
-    const double* divisor = form_ == MomentumForm::sum ? density_.data() : nullptr;
-    pair_loops<D>().momentum(tile, records, divisor, acceleration);
+    const double* divisor = form_ != MomentumForm::density_squared ? density_.data() : nullptr;
+    const PairLoops<D>& loops = pair_loops<D>();
+    (form_ == MomentumForm::difference ? loops.stress_difference : loops.momentum)(tile, records, divisor,
+                                                                                   acceleration);
   }
 
  private:

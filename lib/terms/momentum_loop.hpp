@@ -14,11 +14,13 @@ ANVIL_INLINE constexpr int packed_index(int a, int b) {
 }
 
 /// acceleration_i += (1/divisor_i) sum_j w_j (T_i + T_j) . grad_ij, with T and w as the traction records hold them;
-/// D per particle of the tile, m/s2. Without a divisor the sum is taken as it is.
-template <int D>
+/// D per particle of the tile, m/s2. Without a divisor the sum is taken as it is. The sum conserves momentum and so
+/// wants plain gradients, which are antisymmetric; the difference, w_j (T_j - T_i), those of the scene's method.
+template <int D, bool Difference>
 void sum_momentum(const PairTile<D>& tile, const PairRecords<D>& records, const double* divisor, double* acceleration) {
   using L = Lanes<lanes<D>>;
   constexpr int weight = symmetric_components<D>;
+  const auto& gradient = Difference ? tile.gradient : tile.plain_gradient;
   for_each_row(tile, [&](std::int32_t i, std::int64_t begin, std::int64_t end) ANVIL_INLINE_LAMBDA {
     const double* own = records.traction[static_cast<std::size_t>(i)];
     L sum[D];
@@ -28,8 +30,9 @@ void sum_momentum(const PairTile<D>& tile, const PairRecords<D>& records, const 
       load_record(records.traction, tile.neighbour + k, other);
       const std::int64_t at = k - tile.first[tile.begin];
       L tensor[symmetric_components<D>], grad[D];
-      for (int c = 0; c < symmetric_components<D>; ++c) tensor[c] = L(own[c]) + other[c];
-      for (int b = 0; b < D; ++b) grad[b] = other[weight] * L::load(tile.gradient[static_cast<std::size_t>(b)] + at);
+      for (int c = 0; c < symmetric_components<D>; ++c)
+        tensor[c] = Difference ? other[c] - L(own[c]) : other[c] + L(own[c]);
+      for (std::size_t b = 0; b < D; ++b) grad[b] = other[weight] * L::load(gradient[b] + at);
       for (int a = 0; a < D; ++a)
         for (int b = 0; b < D; ++b) sum[a] += tensor[packed_index<D>(a, b)] * grad[b];
     }

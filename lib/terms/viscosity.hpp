@@ -15,7 +15,7 @@ class Viscosity final : public ForceTerm<D> {
 
   [[nodiscard]] std::string_view name() const override { return "viscosity"; }
   [[nodiscard]] std::string_view purpose() const override { return "artificial viscosity between approaching pairs"; }
-  [[nodiscard]] PairNeeds needs() const override { return {.gradient = true, .medium = true}; }
+  [[nodiscard]] PairNeeds needs() const override { return {.plain_gradient = true, .medium = true}; }
   void pack(ParticleRange /*range*/, PairRecords<D>& /*records*/) const override {}
   void accumulate(const PairTile<D>& tile, const PairRecords<D>& records, double* acceleration,
                   double* loss) const override {

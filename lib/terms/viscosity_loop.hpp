@@ -25,16 +25,18 @@ void sum_viscosity(const PairTile<D>& tile, const PairRecords<D>& records, const
       L other_place[PairRecords<D>::small], other_motion[PairRecords<D>::small], other_medium[4];
       load_record(records.geometry, tile.neighbour + k, other_place);
       load_record(records.motion, tile.neighbour + k, other_motion);
-      load_record(records.medium, tile.neighbour + k, other_medium);
       const std::int64_t at = k - tile.first[tile.begin];
       L approach(0.0), distance_squared(0.0), work(0.0), grad[D];
       for (int a = 0; a < D; ++a) {
         const L x_ij = L(place[a]) - other_place[a], v_ij = L(motion[a]) - other_motion[a];
-        grad[a] = L::load(tile.gradient[static_cast<std::size_t>(a)] + at);
+        grad[a] = L::load(tile.plain_gradient[static_cast<std::size_t>(a)] + at);
         approach += v_ij * x_ij;
         distance_squared += x_ij * x_ij;
         work += v_ij * grad[a];
       }
+      if constexpr (lanes<D> == 1)
+        if (!(approach.first() < 0.0) || grad[0].first() == 0.0) continue;  // parting, or out of reach
+      load_record(records.medium, tile.neighbour + k, other_medium);
       const L h = L(0.5) * (L(place[D]) + other_place[D]);
       const L mu = min(h * approach / (distance_squared + epsilon * h * h), L(0.0));
       const L sound_speed = L(0.5) * (L(medium[0]) + other_medium[0]);

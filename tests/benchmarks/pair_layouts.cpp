@@ -180,7 +180,7 @@ void packed_tiles(Lattice& lattice, Gradients& out) {
   PairTile<3> tile;
   tile.first = lattice.list.first();
   tile.neighbour = lattice.list.neighbours();
-  for (std::size_t a = 0; a < 3; ++a) tile.gradient[a] = lattice.gradient[a].data();
+  for (std::size_t a = 0; a < 3; ++a) tile.gradient[a] = tile.plain_gradient[a] = lattice.gradient[a].data();
   for (tile.begin = 0; tile.begin < particles; tile.begin = tile.end) {
     tile.end = std::min(tile.begin + tile_size, particles);
     loops.kernels[Kernel(CubicSpline()).index()].gradients(tile, lattice.records);

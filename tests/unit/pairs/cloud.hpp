@@ -153,7 +153,7 @@ struct Cloud {
     const auto pairs = static_cast<std::size_t>(list.row_begin(end) - list.row_begin(begin));
     for (std::size_t a = 0; a < D; ++a) {
       gradient[a].assign(pairs, 0.0);
-      opened.gradient[a] = gradient[a].data();
+      opened.gradient[a] = opened.plain_gradient[a] = gradient[a].data();
     }
     value.assign(pairs, 0.0);
     opened.value = value.data();

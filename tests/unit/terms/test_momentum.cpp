@@ -6,6 +6,7 @@
 namespace anvil {
 namespace {
 
+// The forms that conserve momentum.
 constexpr MomentumForm forms[] = {MomentumForm::sum, MomentumForm::density_squared};
 
 template <int D>
@@ -16,7 +17,9 @@ ScalarSum<Vec<D>> scalar_acceleration(Cloud<D>& cloud, MomentumForm form, std::s
     if (i == j) continue;
     const double rho_j = cloud.scalar(field::density, j);
     const Vec<D> grad_ij = cloud.pair(i, j).gradient;
-    if (form == MomentumForm::sum)
+    if (form == MomentumForm::difference)
+      sum.add(cloud.volume(j) / rho_i * (cloud.stress(j) - cloud.stress(i)) * grad_ij);
+    else if (form == MomentumForm::sum)
       sum.add(cloud.volume(j) / rho_i * (cloud.stress(i) + cloud.stress(j)) * grad_ij);
     else
       sum.add(cloud.scalar(field::mass, j) * (cloud.stress(i) / (rho_i * rho_i) + cloud.stress(j) / (rho_j * rho_j)) *
@@ -31,7 +34,7 @@ TYPED_TEST_SUITE(MomentumIn, Dimensions);
 
 TYPED_TEST(MomentumIn, EqualsAScalarLoop) {
   constexpr int D = TypeParam::value;
-  for (const auto form : forms) {
+  for (const auto form : {MomentumForm::sum, MomentumForm::density_squared, MomentumForm::difference}) {
     Cloud<D> cloud;
     const auto forces = forces_of<D>(Momentum<D>(cloud.fields, form), cloud);
     for (std::size_t i = 0; i < cloud.count; ++i) {

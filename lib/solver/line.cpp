@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a step does only in one dimension: loads on faces and filters along the line. Each part runs over the line in
+// order, in one thread: a few operations per particle.
+#include "anvil/solver/tiles.hpp"
+
+namespace anvil {
+
+/// Loads act with the mean pressure of the time that the kick spans, which gives the whole impulse of a history
+/// whatever the steps. Where stress differences are taken, the face stress enters through the images behind the face;
+/// sums leave a face free by themselves, and there the load is a force on the last particle.
+template <int D>
+void Solver<D>::load_faces(double kick) {
+  if constexpr (D == 1) {
+    const double begin = time_ - 0.5 * time_step_;
+    for (std::size_t k = 0; k < load_steps_.size(); ++k) {
+      const PressureLoad& load = recipe_.loads[k];
+      const double impulse = load.history->impulse(begin + kick) - load.history->impulse(begin);
+      load_steps_[k] = {load.inward * impulse, velocity_[load.particle][0]};
+      face_stress_[k] = -impulse / kick;
+    }
+    if (recipe_.face_ghosts) recipe_.face_ghosts->show(records_, recipe_.loads, face_stress_);
+  }
+}
+
+template <int D>
+void Solver<D>::kick_loaded_faces() {
+  if constexpr (D == 1) {
+    if (recipe_.face_ghosts) return;  // the load acted through the images
+    for (std::size_t k = 0; k < load_steps_.size(); ++k)
+      velocity_[recipe_.loads[k].particle][0] += load_steps_[k].impulse / mass_[recipe_.loads[k].particle];
+  }
+}
+
+/// See the energy account in step.cpp.
+template <int D>
+void Solver<D>::account_loads() {
+  if constexpr (D == 1) {
+    for (std::size_t k = 0; k < load_steps_.size(); ++k) {
+      const double mean = 0.5 * (load_steps_[k].velocity_before + velocity_[recipe_.loads[k].particle][0]);
+      ledger_.pressure_impulse[0] += load_steps_[k].impulse;
+      ledger_.pressure_work += load_steps_[k].impulse * mean;
+    }
+  }
+}
+
+template <int D>
+void Solver<D>::transport_velocities() {
+  if constexpr (D == 1) {
+    for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) { pack_motion(tile.range); });
+    recipe_.transport->filter_velocity({start_velocity_.raw(), particle_count()});
+    for (std::size_t i = 0; i < particle_count(); ++i) {
+      const double change = velocity_[i][0] - records_.motion[i][0];
+      ledger_.smoothing_loss -= 0.5 * mass_[i] * change * (start_velocity_[i][0] + velocity_[i][0]);
+      ledger_.smoothing_impulse[0] += mass_[i] * change;
+    }
+  }
+}
+
+/// The energy that goes with the compression the filter takes is the filter's loss.
+template <int D>
+void Solver<D>::transport_densities() {
+  if constexpr (D == 1) {
+    const auto cold_energy = [&] {
+      double energy = 0.0;
+      for (const auto& body : recipe_.bodies) energy += body.eos->elastic_energy(body.range);
+      return energy;
+    };
+    const double before = cold_energy();
+    recipe_.transport->filter_density();
+    ledger_.smoothing_loss += before - cold_energy();
+  }
+}
+
+#define ANVIL_INSTANTIATE(D)                       \
+  template void Solver<D>::load_faces(double);     \
+  template void Solver<D>::kick_loaded_faces();    \
+  template void Solver<D>::account_loads();        \
+  template void Solver<D>::transport_velocities(); \
+  template void Solver<D>::transport_densities()
+ANVIL_INSTANTIATE(1);
+ANVIL_INSTANTIATE(2);
+ANVIL_INSTANTIATE(3);
+#undef ANVIL_INSTANTIATE
+
+}  // namespace anvil
