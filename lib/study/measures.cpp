@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "anvil/study/measures.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "anvil/kernels/lattice_sum.hpp"
@@ -26,11 +28,27 @@ double compared(const StudySample& sample, std::string_view name) {
   return std::numeric_limits<double>::quiet_NaN();  // a plateau that is not there
 }
 
+/// What stress_l1 cannot be trusted below: the error of the exact solution itself, over its peak.
+double reference_error(const StudySample& sample, std::string_view) {
+  const SceneReference& exact = sample.exact();
+  constexpr int points = 10'000;
+  double sum = 0.0;
+  double peak = 0.0;
+  for (int k = 0; k < points; ++k) {
+    const double place = exact.begin() + (exact.end() - exact.begin()) * (k + 0.5) / points;
+    const double stress = std::abs(exact.at(sample.number, place).stress);
+    sum += stress;
+    peak = std::max(peak, stress);
+  }
+  return exact.relative_error(sample.number) * sum / points / peak;
+}
+
 constexpr std::array measure_table = {
     StudyMeasure{"lattice_factor", "", lattice_factor},
     StudyMeasure{"elastic_speed_ratio", "", elastic_speed_ratio},
     StudyMeasure{"plastic_speed_ratio", "", plastic_speed_ratio},
     StudyMeasure{"precursor_error", "", precursor_error},
+    StudyMeasure{"reference_error", "", reference_error},
     StudyMeasure{"stress_l1", "", compared},
     StudyMeasure{"stress_l2", "", compared},
     StudyMeasure{"velocity_l1", "", compared},
