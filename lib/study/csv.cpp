@@ -90,9 +90,12 @@ std::string study_csv(const StudyDescription& study, const std::vector<StudyRun>
 
 std::string_view status_name(StudyStatus status) {
   switch (status) {
-    case StudyStatus::finished: return "finished";
-    case StudyStatus::failed: return "failed";
-    case StudyStatus::refused: break;
+    case StudyStatus::finished:
+      return "finished";
+    case StudyStatus::failed:
+      return "failed";
+    case StudyStatus::refused:
+      break;
   }
   return "refused";
 }

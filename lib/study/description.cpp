@@ -40,7 +40,8 @@ class StudyReader {
     StudyDescription study;
     const Key report{.name = "report", .kind = ValueKind::choice, .choices = {"table", "orders", "speeds"}};
     const auto named = read_as<std::string>(report, document, "");
-    if (named) study.report = static_cast<StudyReport>(std::ranges::find(report.choices, *named) - report.choices.begin());
+    if (named)
+      study.report = static_cast<StudyReport>(std::ranges::find(report.choices, *named) - report.choices.begin());
     study.title = read_as<std::string>({.name = "title", .kind = ValueKind::text}, document, "").value_or("");
     for_each_table(document, "grid", "", [&](const toml::table& table, const std::string& path) {
       study.grids.push_back(read_grid(table, path));
@@ -106,7 +107,8 @@ class StudyReader {
     try {
       std::error_code failure;
       const fs::path beside = folder_ / reference.file;
-      const auto columns = read_csv_columns(fs::exists(beside, failure) ? beside : find_bundled("reference", reference.file));
+      const auto columns =
+          read_csv_columns(fs::exists(beside, failure) ? beside : find_bundled("reference", reference.file));
       reference.axis = columns.at(0).values;
       reference.values = column_of(columns, reference.column, reference.file).values;
     } catch (const InputError& error) {
@@ -138,8 +140,8 @@ class StudyReader {
   std::optional<T> read_as(const Key& key, const toml::table& table, const std::string& path) {
     const toml::node* node = table.get(key.name);
     if (node == nullptr) return std::nullopt;
-    const auto value = read_value(key, *node, path.empty() ? std::string(key.name) : fmt::format("{}.{}", path, key.name),
-                                  context_);
+    const auto value =
+        read_value(key, *node, path.empty() ? std::string(key.name) : fmt::format("{}.{}", path, key.name), context_);
     if (!value) return std::nullopt;
     return std::get<T>(*value);
   }
@@ -157,8 +159,8 @@ class StudyReader {
     const std::string full = path.empty() ? name : fmt::format("{}.{}", path, name);
     const toml::array* tables = node->as_array();
     if (tables == nullptr || !std::ranges::all_of(*tables, [](const toml::node& one) { return one.is_table(); })) {
-      context_.problems.add(context_.place_of(*node), fmt::format("'{}' must be written as [[{}]]", full,
-                                                                  path.empty() ? name : "grid." + name));
+      context_.problems.add(context_.place_of(*node),
+                            fmt::format("'{}' must be written as [[{}]]", full, path.empty() ? name : "grid." + name));
       return;
     }
     int number = 0;

@@ -31,7 +31,7 @@ struct StudyReference {
 struct StudyGrid {
   std::string title;  // the scene's name when none is given
   std::string scene;
-  std::vector<std::string> set;    // KEY=VALUE, for all runs
+  std::vector<std::string> set;  // KEY=VALUE, for all runs
   std::vector<double> times;     // s, ascending: when the measures are taken
   std::vector<std::string> measures;
   std::vector<StudyAxis> axes;

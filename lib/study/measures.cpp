@@ -22,8 +22,8 @@ double lattice_factor(const StudySample& sample, std::string_view) {
 
 /// A quantity of compare_waves.
 double compared(const StudySample& sample, std::string_view name) {
-  for (const auto& quantity : compare_waves(sample.frames[sample.number], sample.exact(), sample.number,
-                                            sample.scene.discretisation.spacing))
+  for (const auto& quantity :
+       compare_waves(sample.frames[sample.number], sample.exact(), sample.number, sample.scene.discretisation.spacing))
     if (quantity.name == name) return quantity.value;
   return std::numeric_limits<double>::quiet_NaN();  // a plateau that is not there
 }

@@ -15,8 +15,8 @@ namespace anvil {
 /// A run of a study at one of its times, as measures see it.
 struct StudySample {
   const Scene& scene;
-  const std::vector<Frame>& frames;  // at the times of the study
-  std::size_t number;                // of the time that is measured
+  const std::vector<Frame>& frames;              // at the times of the study
+  std::size_t number;                            // of the time that is measured
   std::function<const SceneReference&()> exact;  // at the same times; solved when it is asked for first
 };
 

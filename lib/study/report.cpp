@@ -73,8 +73,8 @@ StudyTable speed_table(const RunTable& table, const StudyReference& reference) {
   const std::size_t last = table.grid().times.size() - 1;
   StudyTable result;
   result.title = short_name(reference.measure);
-  result.rows.push_back({short_name(table.grid().axes.back().key), "paper", "alpha", "measured", "less alpha",
-                         "less paper", "status"});
+  result.rows.push_back(
+      {short_name(table.grid().axes.back().key), "paper", "alpha", "measured", "less alpha", "less paper", "status"});
   result.alignment = "lrrrrrl";
   for (std::size_t k = 0; k < table.runs().size(); ++k) {
     const StudyRun& run = table.run(k);

@@ -31,7 +31,7 @@ struct StudyRun {
   std::size_t grid = 0;
   std::vector<std::string> axis_values;
   StudyStatus status = StudyStatus::refused;
-  std::string reason;  // of a run that is not finished
+  std::string reason;          // of a run that is not finished
   std::vector<StudyRow> rows;  // up to where the run came
   std::size_t particles = 0;
   std::int64_t steps = 0;

@@ -98,7 +98,8 @@ values = [[-10.0], [-20.0]]
 [[grid.axis]]
 key = "discretisation.variable_smoothing_length"
 values = [true, false]
-)").grids[0];
+)")
+                             .grids[0];
   EXPECT_EQ(grid.values_of(0)[1], "true");
   EXPECT_NE(grid.values_of(0)[0].find("-10"), std::string::npos);
 }
@@ -114,7 +115,8 @@ colour = "red"
 key = "time.cfl"
 values = []
 )");
-  for (const char* part : {"made_up.toml:3", "scene", "ascend", "stress_l3", "did you mean", "colour", "grid.1.axis.1.values"})
+  for (const char* part :
+       {"made_up.toml:3", "scene", "ascend", "stress_l3", "did you mean", "colour", "grid.1.axis.1.values"})
     EXPECT_NE(message.find(part), std::string::npos) << part << " in\n" << message;
 }
 

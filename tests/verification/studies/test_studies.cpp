@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bundled studies, on part of their grids: wave speeds by kernel and smoothing length (Sun 2017), orders of the plates.
+// The bundled studies, on part of their grids: wave speeds by kernel and smoothing length (Sun 2017), orders of the
+// plates.
 #include <gtest/gtest.h>
 
 #include <cmath>
