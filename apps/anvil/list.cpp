@@ -14,6 +14,7 @@
 #include "anvil/scene/reader.hpp"
 #include "anvil/scene/schema.hpp"
 #include "anvil/scene/writer.hpp"
+#include "anvil/study/description.hpp"
 #include "command_line.hpp"
 #include "table.hpp"
 
@@ -26,6 +27,13 @@ void list_scenes() {
   std::vector<TableRow> rows;
   for (const auto& file : list_bundled("scenes", ".toml"))
     rows.push_back({stem_of(file), read_scene(find_bundled("scenes", file)).title});
+  print_table(rows, "ll");
+}
+
+void list_studies() {
+  std::vector<TableRow> rows;
+  for (const auto& file : list_bundled("studies", ".toml"))
+    rows.push_back({stem_of(file), read_study(find_bundled("studies", file)).title});
   print_table(rows, "ll");
 }
 
@@ -81,7 +89,8 @@ struct Topic {
   std::string_view name;
   void (*print)();
 };
-constexpr std::array topics = {Topic{"scenes", list_scenes}, Topic{"materials", list_materials},
+constexpr std::array topics = {Topic{"scenes", list_scenes}, Topic{"studies", list_studies},
+                               Topic{"materials", list_materials},
                                Topic{"kernels", list_kernels}, Topic{"models", list_models}, Topic{"keys", list_keys}};
 
 void list_topic(const std::string& name) {
@@ -96,7 +105,7 @@ void list_topic(const std::string& name) {
 }  // namespace
 
 int execute_list(const Arguments& arguments) {
-  Usage usage{"anvil list [scenes|materials|kernels|models|keys]",
+  Usage usage{"anvil list [scenes|studies|materials|kernels|models|keys]",
               "Lists what comes with anvil, one line each; without an argument, all but the keys of scene files.",
               "TOPIC"};
   const auto values = parse(usage, arguments);

@@ -90,9 +90,11 @@ int execute_study(const Arguments& arguments) {
   const fs::path folder =
       values->count("output") != 0 ? fs::path((*values)["output"].as<std::string>()) : fs::path("results") / study.name;
   const bool quiet = (*values)["quiet"].as<bool>();
+  const int threads = threads_from(*values);
+  auto runs = prepare_study(study, repeated(*values, "set"));
   ensure_folder(folder);
   StudyLines lines;
-  const auto runs = run_study(study, repeated(*values, "set"), threads_from(*values), [&](auto done, auto all) {
+  run_study(study, runs, threads, [&](std::size_t done, std::size_t all) {
     if (!quiet) lines.show(done, all);
   });
   write_text_atomically(folder / "results.csv", study_csv(study, runs));

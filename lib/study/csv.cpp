@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "anvil/study/measures.hpp"
 #include "anvil/study/runner.hpp"
@@ -76,7 +77,7 @@ std::string study_csv(const StudyDescription& study, const std::vector<StudyRun>
     // A run that failed before its first time has a line, too.
     const std::vector<StudyRow> nothing = {{std::nan(""), {}}};
     for (const auto& row : run.rows.empty() ? nothing : run.rows) {
-      text += fmt::format("{},{}", run.grid + 1, quoted(grid.scene));
+      text += fmt::format("{},{}", run.grid + 1, quoted(std::filesystem::path(grid.scene).stem().string()));
       for (const auto& key : columns.axes) text += ',' + axis_cell(grid, run, key);
       text += ',' + number_text(row.time);
       for (const auto& measure : columns.measures) text += ',' + measure_cell(grid, row, measure);

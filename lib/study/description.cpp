@@ -67,6 +67,8 @@ class StudyReader {
     StudyGrid grid;
     grid.scene = required<std::string>({.name = "scene", .kind = ValueKind::text}, table, path);
     grid.title = read_as<std::string>({.name = "title", .kind = ValueKind::text}, table, path).value_or(grid.scene);
+    std::error_code failure;
+    if (fs::is_regular_file(folder_ / grid.scene, failure)) grid.scene = (folder_ / grid.scene).string();
     grid.times = required<std::vector<double>>(
         {.name = "times", .kind = ValueKind::numbers, .unit = "s", .range = Range::positive}, table, path);
     if (!std::is_sorted(grid.times.begin(), grid.times.end()))

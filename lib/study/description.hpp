@@ -29,8 +29,8 @@ struct StudyReference {
 
 /// A scene run for all combinations of the values of its axes, the last axis changing fastest.
 struct StudyGrid {
-  std::string title;  // the scene's name when none is given
-  std::string scene;
+  std::string title;             // the scene's name when none is given
+  std::string scene;             // bundled, or a file: seen from the study's folder, or as it stands
   std::vector<std::string> set;  // KEY=VALUE, for all runs
   std::vector<double> times;     // s, ascending: when the measures are taken
   std::vector<std::string> measures;

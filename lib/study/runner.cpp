@@ -47,12 +47,6 @@ class ExactSolutions {
   std::vector<std::unique_ptr<Solved>> known_;
 };
 
-/// A run and its scene, which is missing when it was refused.
-struct PreparedRun {
-  StudyRun run;
-  std::optional<Scene> scene;
-};
-
 std::vector<std::string> overrides_of(const StudyGrid& grid, const std::vector<std::string>& axis_values,
                                       const std::vector<std::string>& set) {
   std::vector<std::string> overrides = grid.set;
@@ -71,21 +65,21 @@ void refuse_axes(const StudyGrid& grid, const std::vector<std::string>& set) {
 }
 
 void prepare_grid(const StudyDescription& study, std::size_t number, const std::vector<std::string>& set,
-                  std::vector<PreparedRun>& prepared) {
+                  std::vector<StudyRun>& runs) {
   const StudyGrid& grid = study.grids[number];
   refuse_axes(grid, set);
   const auto file = locate_scene(grid.scene);
   std::string reason;
   bool any = false;
   for (std::size_t k = 0; k < grid.run_count(); ++k) {
-    PreparedRun& one = prepared.emplace_back();
-    one.run.grid = number;
-    one.run.axis_values = grid.values_of(k);
+    StudyRun& run = runs.emplace_back();
+    run.grid = number;
+    run.axis_values = grid.values_of(k);
     try {
-      one.scene = read_scene(file, overrides_of(grid, one.run.axis_values, set));
+      run.scene = read_scene(file, overrides_of(grid, run.axis_values, set));
       any = true;
     } catch (const InputError& error) {
-      one.run.reason = error.what();
+      run.reason = error.what();
       if (reason.empty()) reason = error.what();
     }
   }
@@ -98,7 +92,8 @@ void measure(const StudyGrid& grid, const StudySample& sample, StudyRun& run) {
   for (const auto& name : grid.measures) row.values.push_back(find_study_measure(name)->of(sample, name));
 }
 
-void perform(const StudyGrid& grid, const Scene& scene, ExactSolutions& exact, StudyRun& run) {
+void perform(const StudyGrid& grid, ExactSolutions& exact, StudyRun& run) {
+  const Scene& scene = *run.scene;
   const auto simulation = make_simulation(scene);
   run.particles = simulation->particle_count();
   run.status = StudyStatus::failed;
@@ -115,11 +110,11 @@ void perform(const StudyGrid& grid, const Scene& scene, ExactSolutions& exact, S
 }
 
 /// Errors that Anvil throws on purpose are outcomes; others end the study.
-void perform_or_note(const StudyGrid& grid, PreparedRun& one, ExactSolutions& exact) {
+void perform_or_note(const StudyGrid& grid, ExactSolutions& exact, StudyRun& run) {
   try {
-    perform(grid, *one.scene, exact, one.run);
+    perform(grid, exact, run);
   } catch (const Error& error) {
-    one.run.reason = error.what();
+    run.reason = error.what();
   }
 }
 
@@ -148,22 +143,22 @@ void share_out(std::size_t count, int threads, const std::function<void(std::siz
 
 }  // namespace
 
-std::vector<StudyRun> run_study(const StudyDescription& study, const std::vector<std::string>& set, int threads,
-                                const StudyProgress& progress) {
-  std::vector<PreparedRun> prepared;
-  for (std::size_t grid = 0; grid < study.grids.size(); ++grid) prepare_grid(study, grid, set, prepared);
+std::vector<StudyRun> prepare_study(const StudyDescription& study, const std::vector<std::string>& set) {
+  std::vector<StudyRun> runs;
+  for (std::size_t grid = 0; grid < study.grids.size(); ++grid) prepare_grid(study, grid, set, runs);
+  return runs;
+}
+
+void run_study(const StudyDescription& study, std::vector<StudyRun>& runs, int threads, const StudyProgress& progress) {
   ExactSolutions exact;
   std::mutex mutex;
   std::size_t done = 0;
-  share_out(prepared.size(), threads, [&](std::size_t item) {
-    PreparedRun& one = prepared[item];
-    if (one.scene) perform_or_note(study.grids[one.run.grid], one, exact);
+  share_out(runs.size(), threads, [&](std::size_t item) {
+    StudyRun& run = runs[item];
+    if (run.scene) perform_or_note(study.grids[run.grid], exact, run);
     const std::scoped_lock lock(mutex);
-    progress(++done, prepared.size());
+    progress(++done, runs.size());
   });
-  std::vector<StudyRun> runs;
-  for (auto& one : prepared) runs.push_back(std::move(one.run));
-  return runs;
 }
 
 }  // namespace anvil

@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "anvil/scene/scene.hpp"
 #include "anvil/study/description.hpp"
 
 namespace anvil {
@@ -29,6 +31,7 @@ struct StudyRow {
 
 struct StudyRun {
   std::size_t grid = 0;
+  std::optional<Scene> scene;  // absent when it is refused
   std::vector<std::string> axis_values;
   StudyStatus status = StudyStatus::refused;
   std::string reason;          // of a run that is not finished
@@ -41,11 +44,14 @@ struct StudyRun {
 /// Told after each run how many are done, out of how many; never by two threads at once.
 using StudyProgress = std::function<void(std::size_t done, std::size_t all)>;
 
-/// Runs all grids, side by side on `threads` threads, each run on one. `set` is put on top of every run. A run that
-/// fails is an outcome and keeps the others going. Returns the runs in the order of the description. Throws InputError
-/// when no run of a grid can start (its scene is missing, a key does not exist), before anything runs.
-std::vector<StudyRun> run_study(const StudyDescription& study, const std::vector<std::string>& set, int threads,
-                                const StudyProgress& progress);
+/// The runs of all grids in the order of the description, with `set` (KEY=VALUE) on top of every scene, ready to start.
+/// Scenes that make no sense with their values are refused and keep their place. Throws InputError when this holds for
+/// a whole grid (its scene is missing, a key does not exist), and when `set` names an axis.
+std::vector<StudyRun> prepare_study(const StudyDescription& study, const std::vector<std::string>& set);
+
+/// Runs what is prepared, side by side on `threads` threads, each run on one. A run that fails is an outcome and keeps
+/// the others going.
+void run_study(const StudyDescription& study, std::vector<StudyRun>& runs, int threads, const StudyProgress& progress);
 
 /// All runs as CSV, a line per run and time: grid, scene, axes, time, measures with their units, references, status and
 /// cost.

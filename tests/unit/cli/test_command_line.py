@@ -40,6 +40,20 @@ format = "hdf5"
 """
 
 
+# The same bar at two spacings, and at one that does not divide it.
+STUDY = """
+title = "Short bar at several spacings"
+report = "orders"
+[[grid]]
+scene = "bar.toml"
+times = [1e-6, 2e-6]
+measures = ["stress_l1"]
+[[grid.axis]]
+key = "discretisation.spacing"
+values = [1e-3, 0.5e-3, 0.3e-3]
+"""
+
+
 class CommandLine(unittest.TestCase):
     def setUp(self):
         self.temporary = tempfile.TemporaryDirectory()
@@ -136,6 +150,22 @@ class Scenes(CommandLine):
 
 
 class Runs(CommandLine):
+    def test_a_study_leaves_a_table_and_a_figure(self):
+        study = self.folder / "spacings.toml"
+        study.write_text(STUDY)
+        self.expect(self.anvil("study", study, "-o", self.result), 0, "order", "refused", "3 of 3 runs")
+        rows = (self.result / "results.csv").read_text().splitlines()
+        self.assertEqual(len(rows), 1 + 2 + 2 + 1)
+        self.assertTrue(rows[1].startswith("1,bar,0.001,1e-06,"))
+        self.assertEqual(len(list(self.result.glob("spacings.*"))), 1)
+
+    def test_a_study_with_bad_input_leaves_no_folder(self):
+        self.expect_error(self.anvil("study", "kernel_table", "-o", self.result), 1, "did you mean 'kernel_tables'")
+        self.expect_error(self.anvil("study", "plate_table", "-o", self.result, "--set", "time.flow=1"), 1, "flow")
+        self.expect_error(self.anvil("study", "plate_table", "-o", self.result, "--set", "shock.method=none"), 1, "axis")
+        self.expect_error(self.anvil("study", "plate_table", "-o", self.result, "--threads", "0"), 1, "--threads")
+        self.assertFalse(self.result.exists())
+
     def test_a_run_leaves_what_it_promises(self):
         self.expect(self.run_scene(), 0, "finished")
         frames = sorted(path.name for path in (self.result / "frames").iterdir())

@@ -29,7 +29,9 @@ StudyDescription small_study() {
 }
 
 std::vector<StudyRun> run(const StudyDescription& study, int threads, const std::vector<std::string>& set = {}) {
-  return run_study(study, set, threads, [](std::size_t, std::size_t) {});
+  auto runs = prepare_study(study, set);
+  run_study(study, runs, threads, [](std::size_t, std::size_t) {});
+  return runs;
 }
 
 TEST(StudyRunner, RunsEveryCombinationInOrder) {
@@ -87,7 +89,9 @@ TEST(StudyRunner, LetsNobodyOverrideAnAxis) {
 
 TEST(StudyRunner, TellsHowFarItIs) {
   std::vector<std::size_t> seen;
-  run_study(small_study(), {}, 2, [&](std::size_t done, std::size_t all) {
+  const StudyDescription study = small_study();
+  auto runs = prepare_study(study, {});
+  run_study(study, runs, 2, [&](std::size_t done, std::size_t all) {
     EXPECT_EQ(all, 6U);
     seen.push_back(done);
   });

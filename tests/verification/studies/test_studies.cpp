@@ -13,7 +13,8 @@ namespace anvil {
 namespace {
 
 std::vector<StudyRun> run(const StudyDescription& study, const std::vector<std::string>& set = {}) {
-  auto runs = run_study(study, set, 2, [](std::size_t, std::size_t) {});
+  auto runs = prepare_study(study, set);
+  run_study(study, runs, 2, [](std::size_t, std::size_t) {});
   for (const auto& one : runs) EXPECT_EQ(one.status, StudyStatus::finished) << one.reason;
   return runs;
 }
