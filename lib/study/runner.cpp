@@ -11,6 +11,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "anvil/core/error.hpp"
 #include "anvil/core/threads.hpp"
@@ -87,9 +88,9 @@ void prepare_grid(const StudyDescription& study, std::size_t number, const std::
 }
 
 void measure(const StudyGrid& grid, const StudySample& sample, StudyRun& run) {
-  StudyRow& row = run.rows.emplace_back();
-  row.time = sample.frames[sample.number].time;
+  StudyRow row{sample.frames[sample.number].time, {}};
   for (const auto& name : grid.measures) row.values.push_back(find_study_measure(name)->of(sample, name));
+  run.rows.push_back(std::move(row));  // whole rows only: a measure may throw
 }
 
 void perform(const StudyGrid& grid, ExactSolutions& exact, StudyRun& run) {

@@ -18,7 +18,8 @@ double elastic_speed_ratio(const StudySample& sample, std::string_view name);
 double plastic_speed_ratio(const StudySample& sample, std::string_view name);
 
 /// Mean error of the stress over the elastic limit in the middle half of the stretch where the exact stress is the
-/// elastic limit in compression. NaN where there is no such stretch of 20 spacings.
+/// elastic limit in compression. Positive where the compression is too high. NaN where there is no such
+/// stretch of 20 spacings.
 double precursor_error(const StudySample& sample, std::string_view name);
 
 }  // namespace anvil
