@@ -18,12 +18,15 @@ namespace {
 
 /// What a field is called on an axis.
 std::string name_of(const std::string& quantity) {
-  const std::pair<const char*, const char*> names[] = {
-      {"stress.xx", "Axial stress"},        {"velocity.x", "Velocity"},
-      {"initial_position.x", "Initial position"}, {"position.x", "Position"},
-      {"plastic_strain", "Plastic strain"}, {"specific_energy", "Specific energy"},
-      {"density", "Density"},               {"pressure", "Pressure"},
-      {"time", "Time"}};
+  const std::pair<const char*, const char*> names[] = {{"stress.xx", "Axial stress"},
+                                                       {"velocity.x", "Velocity"},
+                                                       {"initial_position.x", "Initial position"},
+                                                       {"position.x", "Position"},
+                                                       {"plastic_strain", "Plastic strain"},
+                                                       {"specific_energy", "Specific energy"},
+                                                       {"density", "Density"},
+                                                       {"pressure", "Pressure"},
+                                                       {"time", "Time"}};
   for (const auto& [field, name] : names)
     if (quantity == field) return name;
   std::string name = quantity;
@@ -62,8 +65,10 @@ double ExactPoint::*exact_member(const std::string& field) {
                                                                   {"deviatoric_stress.xx", &ExactPoint::deviator}};
   for (const auto& [name, member] : members)
     if (field == name) return member;
-  throw InputError(fmt::format("the exact solution knows stress.xx, velocity.x, density, pressure and "
-                               "deviatoric_stress.xx; it cannot go with '{}'", field));
+  throw InputError(
+      fmt::format("the exact solution knows stress.xx, velocity.x, density, pressure and "
+                  "deviatoric_stress.xx; it cannot go with '{}'",
+                  field));
 }
 
 /// Collects curves in SI units; units of the axes are settled when all are there.
@@ -272,7 +277,8 @@ void PanelBuilder::add_map(const MapDescription& wanted) {
   const Unit shown = wanted.unit.empty() ? readable_unit(unit, largest) : find_unit(wanted.unit);
   double low = 0.0, high = 0.0;
   for (std::size_t row = 0; row < map.rows; ++row) {
-    const double time = map.y[0] + (map.y[1] - map.y[0]) * (static_cast<double>(row) + 0.5) / static_cast<double>(map.rows);
+    const double time =
+        map.y[0] + (map.y[1] - map.y[0]) * (static_cast<double>(row) + 0.5) / static_cast<double>(map.rows);
     const std::size_t i = nearest(result.times, time);
     for (std::size_t column = 0; column < map.columns; ++column) {
       const double place =
@@ -297,8 +303,9 @@ std::size_t frame_at(const PlottedResult& result, double time) {
   const std::size_t i = nearest(result.times, time);
   constexpr double same_time = 1e-3;  // of the whole run: times in descriptions are typed with few digits
   if (std::abs(result.times[i] - time) <= same_time * result.times.back()) return i;
-  throw InputError(fmt::format("the result '{}' has no frame at {:.6g} s; the nearest is at {:.6g} s, the last at {:.6g} s",
-                               result.label, time, result.times[i], result.times.back()));
+  throw InputError(
+      fmt::format("the result '{}' has no frame at {:.6g} s; the nearest is at {:.6g} s, the last at {:.6g} s",
+                  result.label, time, result.times[i], result.times.back()));
 }
 
 Figure build_figure(const FigureDescription& description, const std::vector<PlottedResult>& results) {
