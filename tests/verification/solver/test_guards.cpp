@@ -53,7 +53,7 @@ TEST(Guards, NameTheParticleThatIsBeyondTheWall) {
   rod->restore(with_number(rod->state(), "position", 2, -1e-6));
   const std::string message = guard_message(*rod, 1);
   expect_in(message, place_and_values);
-  expect_in(message, {"step 0 at", "particle 0: it is beyond the boundary 'rigid_wall'"});
+  expect_in(message, {"step 0 at", "particle 0: it is beyond the boundary 'anvil'"});
 }
 
 TEST(Guards, StopAtATimeStepThatCollapses) {
