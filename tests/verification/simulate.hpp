@@ -73,7 +73,8 @@ void expect_same_bits(const std::vector<T>& one, const std::vector<T>& two, cons
 inline void expect_same_bits(const Simulation& one, const Simulation& two) {
   const State a = one.state(), b = two.state();
   ASSERT_EQ(a.size(), b.size());
-  for (const auto& [name, array] : a) {
+  for (const auto& [key, array] : a) {
+    const std::string& name = key;  // which the lambda below may name
     ASSERT_TRUE(b.contains(name)) << name;
     std::visit([&]<class Values>(
                    const Values& values) { expect_same_bits(values, std::get<Values>(b.at(name).values), name); },
