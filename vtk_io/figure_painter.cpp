@@ -24,17 +24,19 @@
 namespace anvil {
 namespace {
 
-/// Draws each shape through VTK's 2D context. VTK's own charts would do their own layout, which the SVG could not share.
+/// Draws each shape through VTK's 2D context. VTK's own charts would do their own layout, which the SVG could not
+/// share.
 class DrawingItem : public vtkContextItem {
  public:
   static DrawingItem* New();
-  vtkTypeMacro(DrawingItem, vtkContextItem);
+  vtkTypeMacro(DrawingItem, vtkContextItem)
 
-  void set_drawing(const Drawing* drawing) { drawing_ = drawing; }
+      void set_drawing(const Drawing* drawing) {
+    drawing_ = drawing;
+  }
 
   bool Paint(vtkContext2D* context) override {
-    for (const auto& shape : drawing_->shapes)
-      std::visit([&](const auto& one) { paint(context, one); }, shape);
+    for (const auto& shape : drawing_->shapes) std::visit([&](const auto& one) { paint(context, one); }, shape);
     return true;
   }
 

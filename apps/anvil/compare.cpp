@@ -154,7 +154,8 @@ int execute_compare(const Arguments& arguments) {
   Usage usage{
       "anvil compare RESULT [--csv FILE]",
       "Compares frames and history of a result with the reference of its scene: a bundled one, or the exact solution "
-      "of\nplane waves at the times in compare.times. The exit code is 4 when a quantity deviates by more than [compare] tolerance of the scene allows; the others are reported.",
+      "of\nplane waves at the times in compare.times. The exit code is 4 when a quantity deviates by more than "
+      "[compare] tolerance of the scene allows; the others are reported.",
       "RESULT"};
   usage.options.add_options()("csv", boost::program_options::value<std::string>()->value_name("FILE"),
                               "write the table to a CSV file, with all digits");

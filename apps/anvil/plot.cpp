@@ -22,10 +22,11 @@ namespace fs = std::filesystem;
 namespace po = boost::program_options;
 
 Usage make_usage() {
-  Usage usage{"anvil plot RESULT [--figure FIGURE | --field F | --history H | --map F] [-o FILE] [options]",
-              "Draws profiles, histories and maps over time of a result off-screen, as PNG or SVG by the name of FILE.\n"
-              "A figure description (docs/figures.md) says all of it; the other options make simple figures.",
-              "RESULT"};
+  Usage usage{
+      "anvil plot RESULT [--figure FIGURE | --field F | --history H | --map F] [-o FILE] [options]",
+      "Draws profiles, histories and maps over time of a result off-screen, as PNG or SVG by the name of FILE.\n"
+      "A figure description (docs/figures.md) says all of it; the other options make simple figures.",
+      "RESULT"};
   auto add = usage.options.add_options();
   const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
   const auto texts = [](const char* name) { return po::value<std::vector<std::string>>()->value_name(name); };
@@ -95,8 +96,8 @@ FigureDescription description_from(const po::variables_map& values, const Usage&
   const bool described = values.count("figure") != 0;
   const bool simple = values.count("field") + values.count("history") + values.count("map") != 0;
   if (described == simple)
-    throw InputError(fmt::format("say what to draw: either --figure, or --field, --history or --map; usage: {}",
-                                 usage.synopsis));
+    throw InputError(
+        fmt::format("say what to draw: either --figure, or --field, --history or --map; usage: {}", usage.synopsis));
   if (!described) return describe(values);
   for (const char* option : {"times", "along", "unit"})
     if (values.count(option) != 0)

@@ -71,8 +71,7 @@ std::vector<const BodyDescription*> bodies_in_order(const Scene& scene) {
   for (const auto& body : scene.bodies) bodies.push_back(&body);
   std::sort(bodies.begin(), bodies.end(), [](auto* a, auto* b) { return span_of(*a).begin < span_of(*b).begin; });
   for (std::size_t i = 1; i < bodies.size(); ++i)
-    if (std::abs(span_of(*bodies[i]).begin - span_of(*bodies[i - 1]).end) >
-        same_place * scene.discretisation.spacing)
+    if (std::abs(span_of(*bodies[i]).begin - span_of(*bodies[i - 1]).end) > same_place * scene.discretisation.spacing)
       refuse(fmt::format("the bodies '{}' and '{}' do not touch", bodies[i - 1]->name, bodies[i]->name));
   return bodies;
 }

@@ -12,12 +12,13 @@ namespace anvil {
 namespace {
 
 /// When the stress between the bodies and a wall becomes tension first, to a two-hundredth of `end`; nothing when it
-/// does not. Fronts are followed coarsely: what counts is the big wave that comes back.
+/// does not. `problem` is that of small strain, where fronts stay few, and they are followed coarsely: what counts is
+/// the big wave that comes back.
 std::optional<double> leaves_wall(const PlateProblem& problem, double end) {
   if (!problem.left_face.rigid && !problem.right_face.rigid) return std::nullopt;
   constexpr int samples = 200;
-  constexpr double tension = 1e-3;  // of the stress scale, above what coarse fronts leave behind
-  FrontTracking fronts(problem, end, {.step = 1.0 / 32.0, .smallest = 1e-4, .most_events = 1'000'000});
+  constexpr double tension = 1e-2;  // of the stress scale, above what coarse fronts leave behind
+  FrontTracking fronts(problem, end, {.step = 1.0 / 32.0, .smallest = 1e-3, .most_events = 1'000'000});
   for (int i = 1; i <= samples; ++i) {
     const double time = end * i / samples;
     fronts.advance_to(time);
@@ -58,7 +59,7 @@ SceneReference::SceneReference(const Scene& scene, std::vector<double> times, St
   if (times_.empty() || !std::is_sorted(times_.begin(), times_.end()) || times_.front() < 0.0)
     throw InputError("the times of an exact solution begin at 0 or later and ascend");
   const bool elastic = is_elastic(scene);
-  check_walls(problem_, times_.back());
+  check_walls(plate_problem(scene, StrainMeasure::small), times_.back());
   const bool small = rod_ || measure == StrainMeasure::small;
   if (small && elastic) {
     layered_.emplace(problem_, times_.back());

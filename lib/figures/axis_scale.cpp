@@ -81,12 +81,23 @@ void AxisScale::round_outward(bool tight, double step) {
     high_ += room;
     return;
   }
-  const double floor = step * std::floor(low_ / step + 1e-6);
-  const double ceiling = step * std::ceil(high_ / step - 1e-6);
-  // Particles lie half a spacing inside their body: a tight axis still ends where the body does.
-  const double near = tight ? 0.015 * (high_ - low_) : step;
-  if (low_ - floor <= near) low_ = floor;
-  if (ceiling - high_ <= near) high_ = ceiling;
+  const double span = high_ - low_;
+  const double lower = step * std::floor(low_ / step + 1e-6);
+  const double upper = step * std::ceil(high_ / step - 1e-6);
+  if (tight) {
+    // Particles lie half a spacing inside their body: the axis still ends where the body does.
+    constexpr double near = 0.015;
+    if (low_ - lower <= near * span) low_ = lower;
+    if (upper - high_ <= near * span) high_ = upper;
+    return;
+  }
+  // A line along a tick stays clear of the frame, and a trifle beyond a tick does not cost a whole step.
+  constexpr double trifle = 0.02;
+  const auto beside_tick = [&](double value) {
+    return std::abs(value - step * std::round(value / step)) <= trifle * span;
+  };
+  low_ = beside_tick(low_) ? low_ - 2.0 * trifle * span : lower;
+  high_ = beside_tick(high_) ? high_ + 2.0 * trifle * span : upper;
 }
 
 double AxisScale::share_of(double value) const {

@@ -20,7 +20,8 @@ Color color_of(double value, const std::array<double, 2>& range) {
   const double largest = std::max(std::abs(range[0]), std::abs(range[1]));
   if (!std::isfinite(value) || largest == 0.0) return below.front();
   const auto& colors = value < 0.0 ? below : above;
-  const double place = std::abs(std::clamp(value, range[0], range[1])) / largest * static_cast<double>(colors.size() - 1);
+  const double place =
+      std::abs(std::clamp(value, range[0], range[1])) / largest * static_cast<double>(colors.size() - 1);
   const auto lower = std::min(static_cast<std::size_t>(place), colors.size() - 2);
   const double share = place - static_cast<double>(lower);
   const Color& a = colors[lower];
@@ -29,13 +30,8 @@ Color color_of(double value, const std::array<double, 2>& range) {
 }
 
 Color curve_color(std::size_t number) {
-  constexpr std::array<Color, 7> colors{{{0, 114, 178},
-                                         {213, 94, 0},
-                                         {0, 158, 115},
-                                         {204, 121, 167},
-                                         {230, 159, 0},
-                                         {86, 180, 233},
-                                         {0, 0, 0}}};
+  constexpr std::array<Color, 7> colors{
+      {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {230, 159, 0}, {86, 180, 233}, {0, 0, 0}}};
   return colors[number % colors.size()];
 }
 

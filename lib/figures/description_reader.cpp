@@ -98,7 +98,8 @@ class DescriptionReader {
     }
     if (panel.curves.empty() && !panel.map)
       context_.problems.add(context_.place_of(table), fmt::format("'{}' shows nothing: give it a [[panel.curve]] or a "
-                                                                  "[panel.map]", path));
+                                                                  "[panel.map]",
+                                                                  path));
     return panel;
   }
 
@@ -109,8 +110,9 @@ class DescriptionReader {
     read_keys(*table, axis_path, axis_keys(), {}, axis);
     check_range(*table, axis_path, axis.range);
     if (name == "y" && !axis.quantity.empty())
-      context_.problems.add(context_.place_of(*table),
-                            fmt::format("key '{}.quantity' belongs to x; what is drawn upward is a curve's", axis_path));
+      context_.problems.add(
+          context_.place_of(*table),
+          fmt::format("key '{}.quantity' belongs to x; what is drawn upward is a curve's", axis_path));
   }
 
   CurveDescription read_curve(const toml::table& table, const std::string& path) {
@@ -144,9 +146,11 @@ class DescriptionReader {
     if (node == nullptr) return;
     const std::string base = path.empty() ? name : fmt::format("{}.{}", path, name);
     const toml::array* tables = node->as_array();
-    const bool all = tables != nullptr && std::all_of(tables->begin(), tables->end(), [](auto& t) { return t.is_table(); });
+    const bool all =
+        tables != nullptr && std::all_of(tables->begin(), tables->end(), [](auto& t) { return t.is_table(); });
     if (!all) {
-      context_.problems.add(context_.place_of(*node), fmt::format("'{}' must be written as [[{}]]", base, name == "curve" ? "panel.curve" : name));
+      context_.problems.add(context_.place_of(*node), fmt::format("'{}' must be written as [[{}]]", base,
+                                                                  name == "curve" ? "panel.curve" : name));
       return;
     }
     int number = 0;
@@ -203,8 +207,10 @@ std::filesystem::path locate_figure(const std::string& argument) {
   std::error_code failure;
   if (std::filesystem::exists(argument, failure)) return argument;
   std::vector<std::string> names;
-  for (const auto& file : list_bundled("figures", ".toml")) names.push_back(std::filesystem::path(file).stem().string());
-  if (std::find(names.begin(), names.end(), argument) != names.end()) return find_bundled("figures", argument + ".toml");
+  for (const auto& file : list_bundled("figures", ".toml"))
+    names.push_back(std::filesystem::path(file).stem().string());
+  if (std::find(names.begin(), names.end(), argument) != names.end())
+    return find_bundled("figures", argument + ".toml");
   throw InputError(fmt::format("there is no file '{}' and no bundled figure of that name{}", argument,
                                suggestion(argument, views_of(names))));
 }

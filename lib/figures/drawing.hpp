@@ -63,8 +63,8 @@ struct Drawing {
   std::vector<DrawnShape> shapes;
 };
 
-/// Places panels, axes, ticks, legends and curves. Throws InputError when something cannot be drawn: no panel, a size out
-/// of range, a logarithmic axis with nothing above zero, an empty range.
+/// Places panels, axes, ticks, legends and curves. Throws InputError when something cannot be drawn: no panel, a size
+/// out of range, a logarithmic axis with nothing above zero, an empty range.
 Drawing lay_out(const Figure& figure);
 
 /// The drawing as an SVG document, lettered in DejaVu Sans.

@@ -68,7 +68,8 @@ Evaluated evaluate(const std::string& expression, std::span<const NamedValues> n
     parser.DefineNameChars("0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
     parser.SetExpr(expression);
     std::vector<Variable> variables;
-    for (const auto& [name, unused] : parser.GetUsedVar()) {
+    for (const auto& used : parser.GetUsedVar()) {
+      const std::string& name = used.first;
       const auto found = std::find_if(names.begin(), names.end(), [&](const auto& one) { return one.name == name; });
       if (found == names.end()) refuse_name(name, names);
       variables.push_back({&*found});

@@ -19,8 +19,8 @@ struct NamedValues {
   std::size_t count;
 };
 
-/// The components of a frame's arrays and its positions: "pressure", "velocity.x", "stress.xx", "position.z". They point
-/// into the frame.
+/// The components of a frame's arrays and its positions: "pressure", "velocity.x", "stress.xx", "position.z". They
+/// point into the frame.
 std::vector<NamedValues> fields_of(const Frame& frame);
 std::vector<NamedValues> columns_of(const History& history);
 

@@ -18,12 +18,15 @@ namespace {
 
 /// What a field is called on an axis.
 std::string name_of(const std::string& quantity) {
-  const std::pair<const char*, const char*> names[] = {
-      {"stress.xx", "Axial stress"},        {"velocity.x", "Velocity"},
-      {"initial_position.x", "Initial position"}, {"position.x", "Position"},
-      {"plastic_strain", "Plastic strain"}, {"specific_energy", "Specific energy"},
-      {"density", "Density"},               {"pressure", "Pressure"},
-      {"time", "Time"}};
+  const std::pair<const char*, const char*> names[] = {{"stress.xx", "Axial stress"},
+                                                       {"velocity.x", "Velocity"},
+                                                       {"initial_position.x", "Initial position"},
+                                                       {"position.x", "Position"},
+                                                       {"plastic_strain", "Plastic strain"},
+                                                       {"specific_energy", "Specific energy"},
+                                                       {"density", "Density"},
+                                                       {"pressure", "Pressure"},
+                                                       {"time", "Time"}};
   for (const auto& [field, name] : names)
     if (quantity == field) return name;
   std::string name = quantity;
@@ -62,8 +65,10 @@ double ExactPoint::*exact_member(const std::string& field) {
                                                                   {"deviatoric_stress.xx", &ExactPoint::deviator}};
   for (const auto& [name, member] : members)
     if (field == name) return member;
-  throw InputError(fmt::format("the exact solution knows stress.xx, velocity.x, density, pressure and "
-                               "deviatoric_stress.xx; it cannot go with '{}'", field));
+  throw InputError(
+      fmt::format("the exact solution knows stress.xx, velocity.x, density, pressure and "
+                  "deviatoric_stress.xx; it cannot go with '{}'",
+                  field));
 }
 
 /// Collects curves in SI units; units of the axes are settled when all are there.
@@ -237,53 +242,65 @@ std::size_t nearest(const std::vector<double>& values, double wanted) {
   return i == values.size() || wanted - values[i - 1] < values[i] - wanted ? i - 1 : i;
 }
 
-/// A row per moment and a column per place, each from the nearest frame and particle: nothing is smoothed.
+/// The values of a frame from left to right.
+struct Row {
+  std::vector<double> places, values;
+};
+
+Row sorted_row(const std::vector<double>& places, const std::vector<double>& values) {
+  std::vector<std::pair<double, double>> sorted;
+  for (std::size_t i = 0; i < places.size(); ++i) sorted.emplace_back(places[i], values[i]);
+  std::sort(sorted.begin(), sorted.end());
+  Row row;
+  for (const auto& [place, value] : sorted) {
+    row.places.push_back(place);
+    row.values.push_back(value);
+  }
+  return row;
+}
+
+/// Takes each cell from the nearest frame and particle: nothing is smoothed. In SI units.
+PlottedMap make_map(const std::vector<Row>& rows, const std::vector<double>& times) {
+  PlottedMap map;
+  map.rows = 300;
+  map.columns = 400;
+  map.y = {times.front(), times.back()};
+  map.x = {rows.front().places.front(), rows.front().places.back()};
+  for (const Row& row : rows) map.x = {std::min(map.x[0], row.places.front()), std::max(map.x[1], row.places.back())};
+  const auto centre = [](const std::array<double, 2>& edges, std::size_t cell, std::size_t cells) {
+    return edges[0] + (edges[1] - edges[0]) * (static_cast<double>(cell) + 0.5) / static_cast<double>(cells);
+  };
+  for (std::size_t j = 0; j < map.rows; ++j) {
+    const Row& row = rows[nearest(times, centre(map.y, j, map.rows))];
+    for (std::size_t i = 0; i < map.columns; ++i)
+      map.values.push_back(row.values[nearest(row.places, centre(map.x, i, map.columns))]);
+  }
+  return map;
+}
+
 void PanelBuilder::add_map(const MapDescription& wanted) {
   const PlottedResult& result = results_.front();
   if (result.scene.domain.dimension != 1) throw InputError("maps over time are drawn of scenes in one dimension");
   if (result.times.size() < 2) throw InputError("a map over time needs two frames or more");
-  PlottedMap map;
-  map.rows = 300;
-  map.columns = 400;
-  map.y = {result.times.front(), result.times.back()};
-  std::vector<std::vector<double>> places, values;
+  std::vector<Row> rows;
   std::string unit;
   for (std::size_t i = 0; i < result.times.size(); ++i) {
     const Frame frame = result.frame(i);
     const auto fields = fields_of(frame);
     const Evaluated x = evaluate(along(), fields);
-    Evaluated field = evaluate(wanted.field, fields);
+    const Evaluated field = evaluate(wanted.field, fields);
     settle(x_unit_, panel_.x.label, x.unit, along());
     unit = field.unit;
-    std::vector<std::pair<double, double>> sorted;
-    for (std::size_t p = 0; p < x.values.size(); ++p) sorted.emplace_back(x.values[p], field.values[p]);
-    std::sort(sorted.begin(), sorted.end());
-    places.emplace_back();
-    values.emplace_back();
-    for (const auto& [place, value] : sorted) {
-      places.back().push_back(place);
-      values.back().push_back(value);
-    }
+    rows.push_back(sorted_row(x.values, field.values));
   }
-  map.x = {places.front().front(), places.front().back()};
-  for (const auto& row : places) map.x = {std::min(map.x[0], row.front()), std::max(map.x[1], row.back())};
-  double largest = 0.0;
-  for (const auto& row : values) largest = std::max(largest, largest_of(row));
-  const Unit shown = wanted.unit.empty() ? readable_unit(unit, largest) : find_unit(wanted.unit);
-  double low = 0.0, high = 0.0;
-  for (std::size_t row = 0; row < map.rows; ++row) {
-    const double time = map.y[0] + (map.y[1] - map.y[0]) * (static_cast<double>(row) + 0.5) / static_cast<double>(map.rows);
-    const std::size_t i = nearest(result.times, time);
-    for (std::size_t column = 0; column < map.columns; ++column) {
-      const double place =
-          map.x[0] + (map.x[1] - map.x[0]) * (static_cast<double>(column) + 0.5) / static_cast<double>(map.columns);
-      const double value = values[i][nearest(places[i], place)] / shown.factor;
-      map.values.push_back(value);
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-  }
-  map.range = wanted.range.size() == 2 ? std::array{wanted.range[0], wanted.range[1]} : std::array{low, high};
+  PlottedMap map = make_map(rows, result.times);
+  const Unit shown = wanted.unit.empty() ? readable_unit(unit, largest_of(map.values)) : find_unit(wanted.unit);
+  if (!unit.empty() && shown.si != unit)
+    throw InputError(fmt::format("a map of '{}' cannot be in {}: it is in {}", wanted.field, wanted.unit, unit));
+  for (double& value : map.values) value /= shown.factor;
+  const auto [low, high] = std::minmax_element(map.values.begin(), map.values.end());
+  map.range = {std::min(0.0, *low), std::max(0.0, *high)};
+  if (wanted.range.size() == 2) map.range = {wanted.range[0], wanted.range[1]};
   if (map.range[0] == map.range[1]) map.range[1] = map.range[0] + 1.0;
   map.label = with_unit(wanted.label.empty() ? name_of(wanted.field) : wanted.label, shown);
   settle(y_unit_, panel_.y.label, "s", "time");
@@ -297,8 +314,9 @@ std::size_t frame_at(const PlottedResult& result, double time) {
   const std::size_t i = nearest(result.times, time);
   constexpr double same_time = 1e-3;  // of the whole run: times in descriptions are typed with few digits
   if (std::abs(result.times[i] - time) <= same_time * result.times.back()) return i;
-  throw InputError(fmt::format("the result '{}' has no frame at {:.6g} s; the nearest is at {:.6g} s, the last at {:.6g} s",
-                               result.label, time, result.times[i], result.times.back()));
+  throw InputError(
+      fmt::format("the result '{}' has no frame at {:.6g} s; the nearest is at {:.6g} s, the last at {:.6g} s",
+                  result.label, time, result.times[i], result.times.back()));
 }
 
 Figure build_figure(const FigureDescription& description, const std::vector<PlottedResult>& results) {

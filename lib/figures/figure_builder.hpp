@@ -18,7 +18,7 @@ struct PlottedResult {
   std::string label;  // tells results of one figure apart
   Scene scene;
   History history;
-  std::vector<double> times;                 // of the frames, s, ascending
+  std::vector<double> times;                // of the frames, s, ascending
   std::function<Frame(std::size_t)> frame;  // by its place in `times`
 };
 

@@ -169,7 +169,8 @@ class PanelLayout {
     const Box bar{left, frame_.bottom, left + color_bar_width(), frame_.top};
     DrawnImage colors{bar, 1, steps, {}};
     for (std::size_t i = 0; i < steps; ++i)
-      colors.cells.push_back(color_of(map.range[0] + (map.range[1] - map.range[0]) * static_cast<double>(i) / (steps - 1.0), map.range));
+      colors.cells.push_back(
+          color_of(map.range[0] + (map.range[1] - map.range[0]) * static_cast<double>(i) / (steps - 1.0), map.range));
     drawing_.shapes.emplace_back(std::move(colors));
     add_outline(bar);
     const AxisScale axis = color_axis();
@@ -178,7 +179,8 @@ class PanelLayout {
       add_line({{bar.right, y}, {bar.right + 0.5 * sizes_.tick, y}}, ink, sizes_.frame, false);
       add_text(tick.label, {bar.right + sizes_.tick, y}, sizes_.number, Anchor::left);
     }
-    add_text(map.label, {cell_.right - sizes_.gap, bar.top + sizes_.gap + 0.6 * sizes_.number}, sizes_.number, Anchor::right);
+    add_text(map.label, {cell_.right - sizes_.gap, bar.top + sizes_.gap + 0.6 * sizes_.number}, sizes_.number,
+             Anchor::right);
   }
 
   void add_text(const std::string& text, const Dot& at, double size, Anchor anchor, bool upright = false) {
@@ -186,7 +188,11 @@ class PanelLayout {
   }
 
   void add_outline(const Box& box) {
-    add_line({{box.left, box.bottom}, {box.right, box.bottom}, {box.right, box.top}, {box.left, box.top}, {box.left, box.bottom}},
+    add_line({{box.left, box.bottom},
+              {box.right, box.bottom},
+              {box.right, box.top},
+              {box.left, box.top},
+              {box.left, box.bottom}},
              ink, sizes_.frame, false);
   }
 
@@ -224,8 +230,7 @@ class PanelLayout {
     const double y = title_bottom_ - (static_cast<double>(entry.row) + 0.5) * legend_row_height();
     const Dot end{left + legend_sample(), y};
     if (curve.style == CurveStyle::points)
-      drawing_.shapes.emplace_back(
-          DrawnPoints{{{0.5 * (left + end.x), y}}, curve.color, sizes_.point, std::nullopt});
+      drawing_.shapes.emplace_back(DrawnPoints{{{0.5 * (left + end.x), y}}, curve.color, sizes_.point, std::nullopt});
     else if (curve.style == CurveStyle::reference)
       add_line({{left, y}, end}, reference_grey, sizes_.reference, false);
     else
@@ -268,7 +273,8 @@ Drawing lay_out(const Figure& figure) {
     double size = 38.0 * std::min(1.0, full_width / 1600.0);
     size *= std::min(1.0, 0.96 * full_width / text_width(figure.title, size));
     full_height -= 2.0 * size;
-    drawing.shapes.emplace_back(DrawnText{figure.title, {0.5 * full_width, full_height + 0.8 * size}, size, Anchor::centre});
+    drawing.shapes.emplace_back(
+        DrawnText{figure.title, {0.5 * full_width, full_height + 0.8 * size}, size, Anchor::centre});
   }
   const double width = full_width / static_cast<double>(columns);
   const double height = full_height / static_cast<double>(rows);

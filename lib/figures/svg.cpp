@@ -97,7 +97,8 @@ class SvgWriter {
     const std::string clip = clip_reference(points.clip);
     text_ += fmt::format("<g{} fill=\"{}\">\n", clip, hex(points.color));
     for (const Dot& dot : points.dots)
-      text_ += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.4g}\"/>\n", dot.x, height_ - dot.y, points.radius);
+      text_ +=
+          fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.4g}\"/>\n", dot.x, height_ - dot.y, points.radius);
     text_ += "</g>\n";
   }
 
@@ -106,8 +107,9 @@ class SvgWriter {
     const double x = text.at.x;
     const double y = height_ - text.at.y;
     const std::string turn = text.upright ? fmt::format(" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y) : "";
-    text_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" dy=\"0.36em\" font-size=\"{:.4g}\" text-anchor=\"{}\"{}>{}</text>\n",
-                         x, y, text.size, anchors[static_cast<int>(text.anchor)], turn, escaped(text.text));
+    text_ += fmt::format(
+        "<text x=\"{:.2f}\" y=\"{:.2f}\" dy=\"0.36em\" font-size=\"{:.4g}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
+        text.size, anchors[static_cast<int>(text.anchor)], turn, escaped(text.text));
   }
 
   void operator()(const DrawnImage& image) {

@@ -30,8 +30,7 @@ double largest(const std::vector<double>& values) {
 
 /// The value furthest from zero, with its sign.
 double furthest(const std::vector<double>& values) {
-  return *std::max_element(values.begin(), values.end(),
-                           [](double a, double b) { return std::abs(a) < std::abs(b); });
+  return *std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
 }
 
 const FrameArray& required_array(const Frame& frame, const char* name) {
@@ -154,7 +153,8 @@ std::vector<ComparedQuantity> compare_waves(const Frame& frame, const SceneRefer
   const Profile stress = make_profile(frame, "stress", &ExactPoint::stress, reference, time);
   const Profile velocity = make_profile(frame, "velocity", &ExactPoint::velocity, reference, time);
   if (stress.size() < 2 || largest(stress.exact) == 0.0 || largest(velocity.exact) == 0.0)
-    throw InputError(fmt::format("there is nothing to compare at {:.6g} s: the exact solution has no wave", frame.time));
+    throw InputError(
+        fmt::format("there is nothing to compare at {:.6g} s: the exact solution has no wave", frame.time));
   std::vector<ComparedQuantity> quantities;
   add_norms("stress", stress, quantities);
   add_norms("velocity", velocity, quantities);

@@ -216,8 +216,7 @@ void report_missing_materials(const Scene& scene, ReadContext& context) {
 
 void report_missing_reference(const Scene& scene, ReadContext& context) {
   if (scene.compare.reference.empty()) return;
-  std::vector<std::string> names = {std::string(exact_reference),
-                                    std::string(exact_small_strain_reference)};
+  std::vector<std::string> names = {std::string(exact_reference), std::string(exact_small_strain_reference)};
   for (const auto& file : list_bundled("reference", ".toml")) names.push_back(fs::path(file).stem().string());
   if (std::find(names.begin(), names.end(), scene.compare.reference) != names.end()) return;
   const std::string path = "compare.reference";

@@ -22,9 +22,12 @@ std::string two_layers(const std::string& load, const std::string& type = "elast
          "[[body]]\nname = 'hard'\nshape = { type = 'interval', min = 1e-3, max = 3e-3 }\nmaterial = 'hard'\n"
          "[[body]]\nname = 'soft'\nshape = { type = 'interval', min = -2e-3, max = 1e-3 }\nmaterial = 'soft'\n"
          "[material.soft]\ndensity = 1500\neos = { type = 'linear', bulk_modulus = 20e9 }\n"
-         "strength = { type = '" + type + "', shear_modulus = 9e9" + yield + " }\n"
+         "strength = { type = '" +
+         type + "', shear_modulus = 9e9" + yield +
+         " }\n"
          "[material.hard]\ndensity = 9000\neos = { type = 'linear', bulk_modulus = 150e9 }\n"
-         "strength = { type = '" + type + "', shear_modulus = 60e9" + yield + " }\n" + load;
+         "strength = { type = '" +
+         type + "', shear_modulus = 60e9" + yield + " }\n" + load;
 }
 
 const std::string pulse =
@@ -71,7 +74,8 @@ TEST(SceneReference, TendsToSmallStrainUnderSmallLoads) {
 }
 
 TEST(SceneReference, SolvesARodByYoungsModulus) {
-  const SceneReference rod(scene_of(two_layers(pulse, "elastic", "", "uniaxial_stress")), {0.5e-6}, StrainMeasure::finite);
+  const SceneReference rod(scene_of(two_layers(pulse, "elastic", "", "uniaxial_stress")), {0.5e-6},
+                           StrainMeasure::finite);
   EXPECT_NE(rod.description().find("small strain"), std::string::npos);
   const double young = 9.0 * 20e9 * 9e9 / (3.0 * 20e9 + 9e9);
   const double speed = std::sqrt(young / 1500.0);
@@ -82,9 +86,10 @@ TEST(SceneReference, SolvesARodByYoungsModulus) {
 }
 
 TEST(SceneReference, YieldsWhereTheSceneDoes) {
-  const Scene scene = scene_of(two_layers(
-      "[[boundary]]\nname = 'load'\ntype = 'pressure'\nbody = 'soft'\nhistory = 'rectangular'\nvalue = 500e6\nduration = 1e-6\n",
-      "j2", ", yield_stress = 100e6"));
+  const Scene scene =
+      scene_of(two_layers("[[boundary]]\nname = 'load'\ntype = 'pressure'\nbody = 'soft'\nhistory = "
+                          "'rectangular'\nvalue = 500e6\nduration = 1e-6\n",
+                          "j2", ", yield_stress = 100e6"));
   const SceneReference reference(scene, {0.4e-6}, StrainMeasure::small);
   const WaveMaterial soft = WaveMaterial::small_strain(1500, 20e9, {.shear_modulus = 9e9, .yield_stress = 100e6});
   const double elastic = soft.elastic_wave_speed() * 0.4e-6;
@@ -122,8 +127,7 @@ TEST(SceneReference, SaysWhyAnotherSceneHasNone) {
 }
 
 TEST(SceneReference, EndsWhenTheBodiesLeaveAWall) {
-  const std::string wall =
-      "[[boundary]]\nname = 'wall'\ntype = 'rigid_wall'\npoint = [-2e-3]\nnormal = [1]\n";
+  const std::string wall = "[[boundary]]\nname = 'wall'\ntype = 'rigid_wall'\npoint = [-2e-3]\nnormal = [1]\n";
   std::string text = two_layers(wall);
   for (const std::string name : {"'hard'\n", "'soft'\n"})
     text.insert(text.find("material = " + name) + 11 + name.size(), "velocity = [-10]\n");

@@ -56,6 +56,14 @@ TEST(AxisScale, RoundsOutwardToTicks) {
   EXPECT_DOUBLE_EQ(scale.share_of(1.0), 1.0);
 }
 
+TEST(AxisScale, SpendsNoStepOnATrifle) {
+  const AxisScale scale({.label = "y"}, {-0.01, 3.0}, false, 6);
+  EXPECT_EQ(labels_of(scale).front(), "0");
+  EXPECT_EQ(labels_of(scale).back(), "3");
+  EXPECT_GT(scale.share_of(-0.01), 0.0);  // and nothing touches the frame
+  EXPECT_LT(scale.share_of(3.0), 1.0);
+}
+
 TEST(AxisScale, EndsWhereTightValuesDo) {
   // Particles from half a spacing to 80 less half a spacing belong to a body from 0 to 80.
   EXPECT_DOUBLE_EQ(AxisScale({.label = "x"}, {0.05, 79.95}, true, 8).share_of(80.0), 1.0);
@@ -129,8 +137,8 @@ TEST(Layout, RefusesWhatMakesNoFigure) {
 TEST(Svg, HoldsEveryCurveTextAndPicture) {
   const std::string svg = write_svg(lay_out(make_figure()));
   EXPECT_EQ(count(svg, "<polyline clip-path="), 2U);
-  EXPECT_EQ(count(svg, "<circle"), 12U);  // eleven points and their sample in the legend
-  EXPECT_EQ(count(svg, "<image"), 2U);    // the map and its colours
+  EXPECT_EQ(count(svg, "<circle"), 12U);                  // eleven points and their sample in the legend
+  EXPECT_EQ(count(svg, "<image"), 2U);                    // the map and its colours
   EXPECT_EQ(count(svg, "data:image/bmp;base64,Qk"), 2U);  // "BM" in base64
   EXPECT_EQ(count(svg, ">Stress &lt; strength &amp; more</text>"), 1U);
   EXPECT_EQ(count(svg, ">this run</text>"), 1U);
