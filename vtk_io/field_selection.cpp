@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "anvil/core/error.hpp"
-#include "vtk_io/ticks.hpp"
+#include "anvil/figures/ticks.hpp"
 
 namespace anvil {
 namespace {

@@ -19,7 +19,7 @@
 #include <cstdio>
 
 #include "vtk_io/font.hpp"
-#include "vtk_io/ticks.hpp"
+#include "anvil/figures/ticks.hpp"
 
 namespace anvil {
 namespace {

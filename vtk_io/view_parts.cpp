@@ -20,7 +20,7 @@
 #include <cmath>
 
 #include "vtk_io/lettering.hpp"
-#include "vtk_io/ticks.hpp"
+#include "anvil/figures/ticks.hpp"
 
 namespace anvil {
 namespace {

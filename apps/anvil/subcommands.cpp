@@ -12,6 +12,8 @@ std::span<const Subcommand> subcommands() {
     Subcommand{"explain", "show what a scene computes with, and what it will cost", execute_explain},
     Subcommand{"list", "list scenes, materials, kernels, models, keys", execute_list},
     Subcommand{"compare", "compare a result with the reference of its scene", execute_compare},
+    Subcommand{"exact", "print the exact solution of a scene at a time", execute_exact},
+    Subcommand{"plot", "draw profiles, histories and x-t diagrams of a result", execute_plot},
 #if ANVIL_WITH_VTK
     Subcommand{"render", "draw a frame of a result", execute_render},
 #endif

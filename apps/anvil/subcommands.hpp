@@ -22,9 +22,11 @@ std::span<const Subcommand> subcommands();
 
 int execute_check(const Arguments& arguments);
 int execute_compare(const Arguments& arguments);
+int execute_exact(const Arguments& arguments);
 int execute_explain(const Arguments& arguments);
 int execute_info(const Arguments& arguments);
 int execute_list(const Arguments& arguments);
+int execute_plot(const Arguments& arguments);
 int execute_render(const Arguments& arguments);  // only in a build with VTK
 int execute_run(const Arguments& arguments);
 

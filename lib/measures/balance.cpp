@@ -33,6 +33,12 @@ double momentum_scale(const History& history) {
   return scale;
 }
 
+/// From the first to the last row; 0 when the scene has nothing that this column counts.
+double change_of(const History& history, const std::string& name) {
+  const HistoryColumn* column = history.find(name);
+  return column == nullptr || column->values.empty() ? 0.0 : column->values.back() - column->values.front();
+}
+
 /// 0 for nothing out of nothing: the balance of a scene at rest.
 double relative(double value, double scale) { return value == 0.0 ? 0.0 : value / scale; }
 
@@ -55,7 +61,7 @@ std::vector<BalancePart> energy_parts(const History& history) {
 
 double energy_balance(const Result& result) {
   const auto& total = required_column(result.history, "total_energy");
-  return relative(total.back() - total.front(), largest(total));
+  return relative(total.back() - total.front() - change_of(result.history, "pressure_work"), largest(total));
 }
 
 double smoothing_share(const Result& result) {
@@ -69,8 +75,9 @@ double momentum_balance(const Result& result) {
   for (const char* axis : axes) {
     const HistoryColumn* momentum = result.history.find(std::string("momentum_") + axis);
     if (momentum == nullptr) continue;  // an axis the scene does not have
-    const auto& impulse = required_column(result.history, std::string("wall_impulse_") + axis);
-    const double pushed = impulse.back() - impulse.front();
+    required_column(result.history, std::string("wall_impulse_") + axis);
+    const double pushed = change_of(result.history, std::string("wall_impulse_") + axis) +
+                          change_of(result.history, std::string("pressure_impulse_") + axis);
     worst = std::max(worst, std::abs(momentum->values.back() - momentum->values.front() - pushed));
   }
   return relative(worst, momentum_scale(result.history));

@@ -21,10 +21,10 @@ std::vector<BalancePart> energy_parts(const History& history);
 
 // Shares are relative to the largest value in the run: of total_energy, or of a component of the momentum.
 
-/// Change of total_energy from the start to the end; 0 when energy is accounted for.
+/// Change of total_energy from the start to the end less the work of pressures; 0 when energy is accounted for.
 double energy_balance(const Result& result);
 
-/// Change of momentum less the impulse of the walls, largest component: round-off where the method conserves momentum,
+/// Change of momentum less the impulses of walls and pressures, largest component: round-off where the method conserves momentum,
 /// and what the smoothing of the velocity adds where it does not.
 double momentum_balance(const Result& result);
 

@@ -53,6 +53,10 @@ ComparedQuantity compare_profile(const ReferenceProfile& reference, const Result
   return {reference.name + "_profile_l2", "", distance, std::nullopt, 0.0, distance, std::nullopt};
 }
 
+}  // namespace
+
+bool ComparedQuantity::within() const { return !allowed || std::abs(deviation) <= *allowed; }
+
 void set_tolerances(std::vector<ComparedQuantity>& quantities, const NamedNumbers& tolerance) {
   for (const auto& [name, allowed] : tolerance) {
     bool found = false;
@@ -66,10 +70,6 @@ void set_tolerances(std::vector<ComparedQuantity>& quantities, const NamedNumber
                                    suggestion(name, names_of(quantities))));
   }
 }
-
-}  // namespace
-
-bool ComparedQuantity::within() const { return !allowed || std::abs(deviation) <= *allowed; }
 
 std::vector<ComparedQuantity> compare(const Result& result, const Reference& reference, const NamedNumbers& tolerance) {
   check_time(result, reference);

@@ -19,6 +19,7 @@ struct ComparedQuantity {
   double uncertainty = 0.0;         // of the reference
   double deviation = 0.0;           // relative to the reference; the value itself where there is none
   std::optional<double> allowed;    // largest absolute deviation; absent: not judged
+  std::optional<double> time = {};  // s, of the frame; absent: the last one, or the whole run
 
   [[nodiscard]] bool within() const;
 };
@@ -28,5 +29,8 @@ struct ComparedQuantity {
 /// the largest deviation allowed for some of them. Throws InputError when the reference or a tolerance names what
 /// nobody measures, or the result ends at another time than the reference.
 std::vector<ComparedQuantity> compare(const Result& result, const Reference& reference, const NamedNumbers& tolerance);
+
+/// Sets the largest deviation allowed for all quantities of each name. Throws InputError for a name that none has.
+void set_tolerances(std::vector<ComparedQuantity>& quantities, const NamedNumbers& tolerance);
 
 }  // namespace anvil

@@ -62,6 +62,8 @@ std::string expected_value(const Key& key, int dimension) {
       return "a name of letters, digits, '_' and '-'";
     case ValueKind::vector:
       return expected_vector(key, dimension);
+    case ValueKind::numbers:
+      return fmt::format("a list in which each value is {}", expected_number(key, "number"));
     case ValueKind::points:
       return key.unit.empty() ? "a list of lists of numbers"
                               : fmt::format("a list of lists of numbers in {}", key.unit);

@@ -18,6 +18,7 @@ enum class ValueKind {
   text,
   name,    // a text that can be part of a file name and of a --set KEY
   vector,  // as many numbers as the scene has dimensions
+  numbers,  // any number of them
   points,  // a list of lists of numbers, all of one length
   choice,
   choices,        // any number of texts out of a list

@@ -5,7 +5,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <boost/algorithm/string/replace.hpp>
 #include <set>
 #include <type_traits>
 
@@ -15,33 +14,13 @@
 #include "anvil/scene/overrides.hpp"
 #include "anvil/scene/schema.hpp"
 #include "anvil/scene/text_file.hpp"
+#include "anvil/scene/toml_text.hpp"
 #include "anvil/scene/value_reader.hpp"
 
 namespace anvil {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The parser's reason in plain words.
-std::string plain_reason(std::string reason) {
-  constexpr std::string_view prefix = "Error while parsing ";
-  if (reason.starts_with(prefix)) reason.replace(0, prefix.size(), "cannot read this ");
-  boost::replace_all(reason, "'\\n'", "the end of the line");
-  if (reason.find("unescaped control characters") != std::string::npos)
-    reason = "a text does not end; is a quote missing?";
-  if (reason.find("could not determine value type") != std::string::npos) reason += "; does a text lack its quotes?";
-  return reason;
-}
-
-toml::table parse_toml(const std::string& text, const std::string& file) {
-  try {
-    return toml::parse(text, file);
-  } catch (const toml::parse_error& error) {
-    const auto& begin = error.source().begin;
-    throw InputError(fmt::format("{}:{}:{}: not valid TOML: {}", file, begin.line, begin.column,
-                                 plain_reason(std::string(error.description()))));
-  }
-}
 
 /// Visitor of for_each_section: fills the scene from the document.
 class SceneReader {
@@ -237,12 +216,12 @@ void report_missing_materials(const Scene& scene, ReadContext& context) {
 
 void report_missing_reference(const Scene& scene, ReadContext& context) {
   if (scene.compare.reference.empty()) return;
-  std::vector<std::string> names;
+  std::vector<std::string> names = {std::string(exact_reference), std::string(exact_small_strain_reference)};
   for (const auto& file : list_bundled("reference", ".toml")) names.push_back(fs::path(file).stem().string());
   if (std::find(names.begin(), names.end(), scene.compare.reference) != names.end()) return;
   const std::string path = "compare.reference";
   context.problems.add(nearest_place(path, context),
-                       fmt::format("key '{}' names the reference '{}', which is not bundled{}", path,
+                       fmt::format("key '{}' names the reference '{}', which is neither exact nor bundled{}", path,
                                    scene.compare.reference, suggestion(scene.compare.reference, views_of(names))));
 }
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -127,9 +128,14 @@ struct OutputControl {
   bool operator==(const OutputControl&) const = default;
 };
 
+/// The values of compare.reference that ask for an exact solution (lib/exact) and not for a file.
+inline constexpr std::string_view exact_reference = "exact";
+inline constexpr std::string_view exact_small_strain_reference = "exact_small_strain";
+
 /// How `anvil compare` judges a result: a file of reference quantities and the largest deviation allowed for some.
 struct Comparison {
-  std::string reference;   // name of a file in data/reference, empty: none
+  std::string reference;      // name of a file in data/reference, exact, or exact_small_strain; empty: see the schema
+  std::vector<double> times;  // s, of the frames held against an exact reference; empty: the last one
   NamedNumbers tolerance;  // relative, by quantity
   bool operator==(const Comparison&) const = default;
 };

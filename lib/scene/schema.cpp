@@ -300,13 +300,22 @@ Section<Comparison> compare_section() {
               {{.name = "reference",
                 .kind = ValueKind::text,
                 .standard = "",
-                .help = "name of a bundled reference; without it nothing is compared"},
+                .help = "name of a bundled reference; or exact, the exact solution of plane waves in finite strain, or "
+                        "exact_small_strain. Without it the exact solution is taken where there is one"},
                &Comparison::reference},
+              {{.name = "times",
+                .kind = ValueKind::numbers,
+                .unit = "s",
+                .standard = std::vector<double>{},
+                .range = Range::not_negative,
+                .help = "of the frames that are held against an exact solution; empty: the last one"},
+               &Comparison::times},
               {{.name = "tolerance",
                 .kind = ValueKind::named_numbers,
                 .standard = NamedNumbers{},
                 .range = Range::positive,
-                .help = "largest relative deviation allowed, by the name of a quantity of the reference"},
+                .help = "largest deviation allowed, by the name of a quantity that is compared; relative, but in spacings for a "
+                        "width"},
                &Comparison::tolerance},
           }};
 }

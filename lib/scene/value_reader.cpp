@@ -94,6 +94,8 @@ std::optional<Value> value_of_kind(ValueKind kind, const toml::node& node, int d
       if (!numbers || (dimension != 0 && numbers->size() != static_cast<std::size_t>(dimension))) return std::nullopt;
       return numbers;
     }
+    case ValueKind::numbers:
+      return finite_numbers(node);
     case ValueKind::points:
       return read_points(node);
     case ValueKind::choices:
@@ -125,6 +127,8 @@ bool in_range(double number, Range range) {
 bool in_range(const Value& value, Range range) {
   if (const auto* number = std::get_if<double>(&value)) return in_range(*number, range);
   if (const auto* integer = std::get_if<long long>(&value)) return in_range(static_cast<double>(*integer), range);
+  if (const auto* several = std::get_if<std::vector<double>>(&value))
+    return std::all_of(several->begin(), several->end(), [&](double number) { return in_range(number, range); });
   if (const auto* numbers = std::get_if<NamedNumbers>(&value))
     return std::all_of(numbers->begin(), numbers->end(),
                        [&](const auto& item) { return in_range(item.second, range); });
@@ -252,7 +256,7 @@ std::optional<Value> read_value(const Key& key, const toml::node& node, const st
 
 Value default_value(const Key& key, int dimension) {
   Value value = key.standard.value();
-  if (auto* numbers = std::get_if<std::vector<double>>(&value); numbers != nullptr && numbers->size() == 1)
+  if (auto* numbers = std::get_if<std::vector<double>>(&value); numbers != nullptr && key.kind == ValueKind::vector)
     numbers->assign(static_cast<std::size_t>(dimension), numbers->front());
   return value;
 }

@@ -241,6 +241,39 @@ class Restarts(CommandLine):
         self.expect_error(self.anvil("run", "--restart", checkpoint), 1, checkpoint.name)
 
 
+class ExactAndPlot(CommandLine):
+    def test_the_exact_solution_is_a_table_with_units(self):
+        result = self.anvil("exact", "plate_perfect", "--time", "8e-6", "--points", "81")
+        self.expect(result, 0, "# Elastic-plastic pulse", "finite strain", "initial_position [m],stress_xx [Pa]")
+        rows = [line.split(",") for line in result.stdout.splitlines()[2:]]
+        self.assertEqual(len(rows), 81)
+        self.assertAlmostEqual(float(rows[30][1]), -5e9, delta=1.0)  # the loaded plateau, 16 to 43 mm
+        self.expect(self.anvil("exact", "plate_perfect", "--time", "8e-6", "--strain", "small"), 0, "small strain")
+
+    def test_mistakes_about_the_exact_solution(self):
+        self.expect_error(self.anvil("exact", "plate_perfect"), 1, "--time")
+        self.expect_error(self.anvil("exact", "plate_perfect", "--time", "-1"), 1, "zero or more")
+        self.expect_error(self.anvil("exact", "plate_perfect", "--time", "1e-6", "--points", "1"), 1, "--points")
+        self.expect_error(self.anvil("exact", "rod_square", "--time", "1e-6"), 1, "3 dimensions")
+        self.expect_error(self.anvil("exact", "bar_elastic_1d", "--time", "8e-6"), 1, "leave the wall")
+
+    def test_a_figure_as_svg(self):
+        self.run_scene()
+        figure = self.folder / "figure.svg"
+        self.expect(self.anvil("plot", self.result, "--field", "stress.xx", "--history", "kinetic_energy",
+                               "-o", figure), 0, "figure.svg")
+        self.assertEqual(figure.read_text().count("<polyline clip-path="), 2)
+
+    def test_mistakes_about_figures(self):
+        self.run_scene()
+        self.expect_error(self.anvil("plot", self.result), 1, "--field")
+        self.expect_error(self.anvil("plot", self.result, "--field", "velocty.x"), 1, "velocity.x")
+        self.expect_error(self.anvil("plot", self.result, "--field", "pressure", "--times", "1"), 1, "no frame at 1 s")
+        self.expect_error(self.anvil("plot", self.result, "--field", "pressure", "--unit", "mm"), 1, "is in Pa")
+        self.expect_error(self.anvil("plot", self.result, "--field", "pressure", "-o", "a.gif"), 1, ".png nor .svg")
+        self.expect_error(self.anvil("plot", self.result, "--figure", "plate_perfekt"), 1, "plate_perfect")
+
+
 class Signals(CommandLine):
     def test_interrupt_writes_a_checkpoint_that_goes_on(self):
         for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):

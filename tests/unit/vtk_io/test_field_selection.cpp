@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "anvil/core/error.hpp"
-#include "vtk_io/ticks.hpp"
+#include "anvil/figures/ticks.hpp"
 
 namespace anvil {
 namespace {

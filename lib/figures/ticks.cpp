@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtk_io/ticks.hpp"
+#include "anvil/figures/ticks.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/core.h>
+
+#include <charconv>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "anvil/core/error.hpp"
+#include "anvil/figures/description.hpp"
+#include "anvil/figures/drawing.hpp"
+#include "anvil/figures/figure_builder.hpp"
+#include "anvil/output/atomic_file.hpp"
+#include "command_line.hpp"
+#include "frames.hpp"
+#include "plotted_result.hpp"
+
+#if ANVIL_WITH_VTK
+#include "vtk_io/figure_painter.hpp"
+#endif
+
+namespace anvil {
+namespace {
+
+namespace fs = std::filesystem;
+namespace po = boost::program_options;
+
+Usage make_usage() {
+  Usage usage{
+      "anvil plot RESULT [--figure FIGURE | --field F | --history H | --map F] [-o FILE] [options]",
+      "Draws profiles, histories and maps over time of a result off-screen, as PNG or SVG by the name of FILE.\n"
+      "A figure description (docs/figures.md) says all of it; the other options make simple figures.",
+      "RESULT"};
+  auto add = usage.options.add_options();
+  const auto text = [](const char* name) { return po::value<std::string>()->value_name(name); };
+  const auto texts = [](const char* name) { return po::value<std::vector<std::string>>()->value_name(name); };
+  add("output,o", texts("FILE"), "file to write, .png or .svg; can be repeated (default: <result>.png)");
+  add("figure", text("FIGURE"), "description of the figure: a file, or the name of a bundled one");
+  add("field", texts("F"), "profile of a field, such as stress.xx, or of an expression; a panel for each");
+  add("history", texts("H"), "column of history.csv over time, such as kinetic_energy; all in one panel");
+  add("map", texts("F"), "field over position and time (x-t diagram); a panel for each");
+  add("times", text("T,T,..."), "times of the profiles in s (default: the last frame)");
+  add("exact", po::bool_switch(), "the exact solution below the profiles");
+  add("along", text("QUANTITY"), "what profiles are drawn along (default: initial_position.x)");
+  add("unit", text("UNIT"), "unit of the fields, such as GPa (default: by their size)");
+  add("title", text("TEXT"), "first line of the figure (default: the title of the scene)");
+  add("also", texts("RESULT"), "a further result in the same panels; can be repeated");
+  return usage;
+}
+
+std::vector<double> times_from(const po::variables_map& values) {
+  std::vector<double> times;
+  if (values.count("times") == 0) return times;
+  const auto& text = values["times"].as<std::string>();
+  const char* const end = text.data() + text.size();
+  for (const char* place = text.data();;) {
+    double time = 0.0;
+    const auto [next, error] = std::from_chars(place, end, time);
+    if (error != std::errc() || (next != end && *next != ','))
+      throw InputError(fmt::format("--times takes numbers with commas between them, found '{}'", text));
+    times.push_back(time);
+    if (next == end) return times;
+    place = next + 1;
+  }
+}
+
+std::string text_of(const po::variables_map& values, const std::string& option) {
+  return values.count(option) == 0 ? "" : values[option].as<std::string>();
+}
+
+/// The figure that the options describe.
+FigureDescription describe(const po::variables_map& values) {
+  FigureDescription figure;
+  for (const auto& field : repeated(values, "field")) {
+    PanelDescription& panel = figure.panels.emplace_back();
+    panel.x.quantity = text_of(values, "along");
+    panel.y.unit = text_of(values, "unit");
+    CurveDescription& curve = panel.curves.emplace_back();
+    curve.field = field;
+    curve.times = times_from(values);
+    curve.exact = values["exact"].as<bool>();
+  }
+  const auto histories = repeated(values, "history");
+  if (!histories.empty()) {
+    PanelDescription& panel = figure.panels.emplace_back();
+    panel.y.unit = text_of(values, "unit");
+    for (const auto& history : histories) panel.curves.emplace_back().history = history;
+  }
+  for (const auto& field : repeated(values, "map")) {
+    PanelDescription& panel = figure.panels.emplace_back();
+    panel.x.quantity = text_of(values, "along");
+    panel.map.emplace();
+    panel.map->field = field;
+    panel.map->unit = text_of(values, "unit");
+  }
+  return figure;
+}
+
+FigureDescription description_from(const po::variables_map& values, const Usage& usage) {
+  const bool described = values.count("figure") != 0;
+  const bool simple = values.count("field") + values.count("history") + values.count("map") != 0;
+  if (described == simple)
+    throw InputError(
+        fmt::format("say what to draw: either --figure, or --field, --history or --map; usage: {}", usage.synopsis));
+  if (!described) return describe(values);
+  for (const char* option : {"times", "along", "unit"})
+    if (values.count(option) != 0)
+      throw InputError(fmt::format("--{} does not go with --figure: the description says it", option));
+  return read_figure_description(locate_figure(values["figure"].as<std::string>()));
+}
+
+std::vector<PlottedResult> results_from(const po::variables_map& values, const Usage& usage) {
+  std::vector<PlottedResult> results = {open_result(required(values, usage, "RESULT"))};
+  for (const auto& folder : repeated(values, "also")) results.push_back(open_result(folder));
+  return results;
+}
+
+void write_figure(const Drawing& drawing, const fs::path& file) {
+  if (file.extension() == ".svg") {
+    write_text_atomically(file, write_svg(drawing));
+  } else if (file.extension() == ".png") {
+#if ANVIL_WITH_VTK
+    paint_png(drawing, file);
+#else
+    throw InputError(fmt::format("'{}' needs a build with VTK; this one writes .svg", file.string()));
+#endif
+  } else {
+    throw InputError(fmt::format("'{}' is neither .png nor .svg", file.string()));
+  }
+  fmt::print("{}\n", file.string());
+}
+
+/// plate.png beside the folder of the result.
+fs::path default_picture(const fs::path& result) {
+  const fs::path bare = result.has_filename() ? result : result.parent_path();
+  return bare.string() + (ANVIL_WITH_VTK ? ".png" : ".svg");
+}
+
+}  // namespace
+
+int execute_plot(const Arguments& arguments) {
+  Usage usage = make_usage();
+  const auto values = parse(usage, arguments);
+  if (!values) return 0;
+  const std::string folder = required(*values, usage, "RESULT");
+  FigureDescription description = description_from(*values, usage);
+  const auto results = results_from(*values, usage);
+  if (values->count("title") != 0) description.title = (*values)["title"].as<std::string>();
+  if (description.title.empty()) description.title = results.front().scene.title;
+  const Drawing drawing = lay_out(build_figure(description, results));
+  auto files = repeated(*values, "output");
+  if (files.empty()) files = {default_picture(folder).string()};
+  for (const auto& file : files) write_figure(drawing, file);
+  return 0;
+}
+
+}  // namespace anvil
