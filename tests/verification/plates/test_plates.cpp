@@ -8,6 +8,8 @@
 namespace anvil {
 namespace {
 
+const std::vector<std::string> paper_coefficients = {"shock.diffusion=0.125", "shock.antidiffusion=0.125"};
+
 Scene plate_scene(const std::string& name, const std::vector<std::string>& overrides = {}) {
   return read_scene(std::string(ANVIL_SOURCE_DIR) + "/data/scenes/" + name + ".toml", overrides);
 }
@@ -46,13 +48,15 @@ TEST_P(PlateErrors, StayWithinTheMeasuredOnes) {
 const std::vector<double> layer_times = {6e-6, 12e-6, 16e-6}, plastic_times = {4e-6, 8e-6, 14e-6};
 INSTANTIATE_TEST_SUITE_P(
     Plates, PlateErrors,
-    testing::Values(Expected{"plate_two_layer", "fct", {}, layer_times, {0.0055, 0.0086, 0.0124}},
+    testing::Values(Expected{"plate_two_layer", "fct", {}, layer_times, {0.0035, 0.0046, 0.0060}},
+                    Expected{"plate_two_layer", "fct", paper_coefficients, layer_times, {0.0055, 0.0086, 0.0124}},
                     Expected{"plate_two_layer", "artificial_viscosity", {}, layer_times, {0.0169, 0.0310, 0.0385}},
                     Expected{"plate_two_layer", "none", {}, layer_times, {0.0276, 0.0425, 0.0507}},
-                    Expected{"plate_perfect", "fct", {}, plastic_times, {0.0030, 0.0072, 0.0087}},
+                    Expected{"plate_perfect", "fct", {}, plastic_times, {0.0018, 0.0038, 0.0045}},
+                    Expected{"plate_perfect", "fct", paper_coefficients, plastic_times, {0.0030, 0.0072, 0.0087}},
                     Expected{"plate_perfect", "artificial_viscosity", {}, plastic_times, {0.0102, 0.0197, 0.0252}},
                     // The reference itself is a sum of small steps here, 0.002 to 0.004 off.
-                    Expected{"plate_hardening", "fct", {}, plastic_times, {0.0031, 0.0038, 0.0060}},
+                    Expected{"plate_hardening", "fct", {}, plastic_times, {0.0024, 0.0030, 0.0055}},
                     Expected{"plate_hardening", "artificial_viscosity", {}, plastic_times, {0.0095, 0.0133, 0.0165}}),
     [](const auto& named) {
       return named.param.scene + "_" + named.param.method + (named.param.overrides.empty() ? "" : "_of_the_paper");
@@ -60,19 +64,20 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// Flux-corrected transport must not swallow the elastic precursor, nor shift the plateau of the load.
 TEST(PlatePerfect, KeepsPrecursorAndPlateau) {
-  const auto comparison = run_plate(plate_scene("plate_perfect", {}), {8e-6})[0];
-  // Zones well inside the plateaus, some 20 particles off their fronts at 19.7, 42.7 and 52.5 mm.
-  const double precursor = comparison.mean_stress(45e-3, 50.5e-3), plateau = comparison.mean_stress(22e-3, 40e-3);
-  EXPECT_NEAR(precursor, -1.9709e9, 0.015 * 1.9709e9);  // finite strain takes 0.2 % of the 1.5 %
-  EXPECT_NEAR(plateau, -5e9, 0.001 * 5e9);
+  for (const auto& overrides : {std::vector<std::string>{}, paper_coefficients}) {
+    const auto comparison = run_plate(plate_scene("plate_perfect", overrides), {8e-6})[0];
+    // Zones well inside the plateaus, some 20 particles off their fronts at 19.7, 42.7 and 52.5 mm.
+    const double precursor = comparison.mean_stress(45e-3, 50.5e-3), plateau = comparison.mean_stress(22e-3, 40e-3);
+    EXPECT_NEAR(precursor, -1.9709e9, 0.015 * 1.9709e9);  // asked for by the issue; finite strain takes 0.2 % of it
+    EXPECT_NEAR(plateau, -5e9, 0.001 * 5e9);
+  }
 }
 
 /// The mean error falls with the spacing: first order at best, since shocks stay some particles wide.
 TEST(PlateTwoLayer, ConvergesWithFirstOrder) {
   const std::vector<std::pair<std::string, double>> least_order = {
-      // The two coarse meshes are short of the asymptotic order: 0.69.
       // Viscosity spreads a shock over a width that grows with its path: order one half at long times.
-      {"fct", 0.65},
+      {"fct", 0.7},
       {"artificial_viscosity", 0.45}};
   for (const auto& [method, order] : least_order) {
     std::vector<double> errors;
