@@ -18,8 +18,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "vtk_io/font.hpp"
 #include "anvil/figures/ticks.hpp"
+#include "vtk_io/font.hpp"
 
 namespace anvil {
 namespace {

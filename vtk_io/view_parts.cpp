@@ -19,8 +19,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "vtk_io/lettering.hpp"
 #include "anvil/figures/ticks.hpp"
+#include "vtk_io/lettering.hpp"
 
 namespace anvil {
 namespace {

@@ -24,8 +24,8 @@ std::vector<BalancePart> energy_parts(const History& history);
 /// Change of total_energy from the start to the end less the work of pressures; 0 when energy is accounted for.
 double energy_balance(const Result& result);
 
-/// Change of momentum less the impulses of walls and pressures, largest component: round-off where the method conserves momentum,
-/// and what the smoothing of the velocity adds where it does not.
+/// Change of momentum less the impulses of walls and pressures, largest component: round-off where the method conserves
+/// momentum, and what the smoothing of the velocity adds where it does not.
 double momentum_balance(const Result& result);
 
 /// What is left when the impulse of the smoothing is subtracted too.

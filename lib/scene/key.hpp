@@ -16,10 +16,10 @@ enum class ValueKind {
   integer,
   flag,
   text,
-  name,    // a text that can be part of a file name and of a --set KEY
-  vector,  // as many numbers as the scene has dimensions
+  name,     // a text that can be part of a file name and of a --set KEY
+  vector,   // as many numbers as the scene has dimensions
   numbers,  // any number of them
-  points,  // a list of lists of numbers, all of one length
+  points,   // a list of lists of numbers, all of one length
   choice,
   choices,        // any number of texts out of a list
   named_numbers,  // a table of numbers by name

@@ -136,7 +136,7 @@ inline constexpr std::string_view exact_small_strain_reference = "exact_small_st
 struct Comparison {
   std::string reference;      // name of a file in data/reference, exact, or exact_small_strain; empty: see the schema
   std::vector<double> times;  // s, of the frames held against an exact reference; empty: the last one
-  NamedNumbers tolerance;  // relative, by quantity
+  NamedNumbers tolerance;     // relative, by quantity
   bool operator==(const Comparison&) const = default;
 };
 

@@ -314,7 +314,8 @@ Section<Comparison> compare_section() {
                 .kind = ValueKind::named_numbers,
                 .standard = NamedNumbers{},
                 .range = Range::positive,
-                .help = "largest deviation allowed, by the name of a quantity that is compared; relative, but in spacings for a "
+                .help = "largest deviation allowed, by the name of a quantity that is compared; relative, but in "
+                        "spacings for a "
                         "width"},
                &Comparison::tolerance},
           }};

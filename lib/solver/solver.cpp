@@ -79,7 +79,7 @@ void Solver<D>::size_scratch() {
       for (auto& component : scratch.plain_gradient) component.resize(std::max(pairs, component.size()));
     if (recipe_.force_needs.value || recipe_.filter_needs.value)
       scratch.value.resize(std::max(pairs, scratch.value.size()));
-    scratch.per_particle.resize(static_cast<std::size_t>(tile_size * D * D));
+    scratch.per_particle.resize(static_cast<std::size_t>(tile_size) * D * D);
     scratch.loss.resize(tile_size);
     scratch.sound_speed.resize(tile_size);
     if (D == 1) scratch.lateral_rate.resize(tile_size);

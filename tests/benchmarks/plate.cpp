@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Speed of whole steps of a line of particles on one thread: the two-layer plate, from the load on, nothing written. Also
-// the time from a scene file to a simulation that is ready to step, and what a second thread is worth on long lines.
+// Speed of whole steps of a line of particles on one thread: the two-layer plate, from the load on, nothing written.
+// Also the time from a scene file to a simulation that is ready to step, and what a second thread is worth on long
+// lines.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -17,9 +18,9 @@ namespace anvil {
 namespace {
 
 std::unique_ptr<Simulation> make_plate(std::int64_t particles, const std::string& shock) {
-  return make_simulation(
-      read_scene(locate_scene("plate_two_layer"),
-                 {fmt::format("discretisation.spacing={}", 80e-3 / static_cast<double>(particles)), "shock.method=" + shock}));
+  return make_simulation(read_scene(
+      locate_scene("plate_two_layer"),
+      {fmt::format("discretisation.spacing={}", 80e-3 / static_cast<double>(particles)), "shock.method=" + shock}));
 }
 
 /// Arguments: particles, threads.

@@ -11,7 +11,7 @@ namespace {
 
 /// An even line of particles with a stress of its own each, its images, and the sum of m a by stress differences.
 struct LoadedLine {
-  explicit LoadedLine(double smoothing_ratio, std::vector<Vec<1>> positions) : cloud(CubicSpline(), positions) {
+  explicit LoadedLine(double smoothing_ratio, const std::vector<Vec<1>>& positions) : cloud(CubicSpline(), positions) {
     for (std::size_t i = 0; i < cloud.count; ++i) {
       cloud.fields.scalar(field::smoothing_length)[i] = smoothing_ratio * Cloud<1>::spacing;
       cloud.fields.scalar(field::density)[i] = 8000.0;

@@ -32,7 +32,8 @@ std::vector<std::pair<std::string, const Key*>> all_keys() {
 }
 
 bool is_numeric(ValueKind kind) {
-  return kind == ValueKind::number || kind == ValueKind::vector || kind == ValueKind::numbers || kind == ValueKind::points;
+  return kind == ValueKind::number || kind == ValueKind::vector || kind == ValueKind::numbers ||
+         kind == ValueKind::points;
 }
 
 TEST(Schema, EveryKeyHasHelp) {
