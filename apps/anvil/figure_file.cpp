@@ -24,7 +24,6 @@ void write_figure(const Drawing& drawing, const std::filesystem::path& file) {
   } else {
     throw InputError(fmt::format("'{}' is neither .png nor .svg", file.string()));
   }
-  fmt::print("{}\n", file.string());
 }
 
 }  // namespace anvil

@@ -7,7 +7,7 @@
 
 namespace anvil {
 
-/// Writes a drawing as PNG or SVG, by the name of the file, and prints the name. Throws InputError for another ending.
+/// Writes a drawing as PNG or SVG, by the name of the file. Throws InputError for another ending.
 void write_figure(const Drawing& drawing, const std::filesystem::path& file);
 
 }  // namespace anvil

@@ -131,7 +131,10 @@ int execute_plot(const Arguments& arguments) {
   const Drawing drawing = lay_out(build_figure(description, results));
   auto files = repeated(*values, "output");
   if (files.empty()) files = {default_picture(folder).string()};
-  for (const auto& file : files) write_figure(drawing, file);
+  for (const auto& file : files) {
+    write_figure(drawing, file);
+    fmt::print("{}\n", file);
+  }
   return 0;
 }
 

@@ -98,12 +98,13 @@ int execute_study(const Arguments& arguments) {
     if (!quiet) lines.show(done, all);
   });
   write_text_atomically(folder / "results.csv", study_csv(study, runs));
-  if (!quiet) {
-    print_report(study, runs);
-    fmt::print("{}\n", (folder / "results.csv").string());
-  }
-  if (const auto figure = study_figure(study, runs))
-    write_figure(lay_out(*figure), folder / (study.name + (ANVIL_WITH_VTK ? ".png" : ".svg")));
+  const auto figure = study_figure(study, runs);
+  const fs::path picture = folder / (study.name + (ANVIL_WITH_VTK ? ".png" : ".svg"));
+  if (figure) write_figure(lay_out(*figure), picture);
+  if (quiet) return 0;
+  print_report(study, runs);
+  fmt::print("{}\n", (folder / "results.csv").string());
+  if (figure) fmt::print("{}\n", picture.string());
   return 0;
 }
 
