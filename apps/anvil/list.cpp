@@ -89,9 +89,9 @@ struct Topic {
   std::string_view name;
   void (*print)();
 };
-constexpr std::array topics = {Topic{"scenes", list_scenes}, Topic{"studies", list_studies},
-                               Topic{"materials", list_materials},
-                               Topic{"kernels", list_kernels}, Topic{"models", list_models}, Topic{"keys", list_keys}};
+constexpr std::array topics = {Topic{"scenes", list_scenes},       Topic{"studies", list_studies},
+                               Topic{"materials", list_materials}, Topic{"kernels", list_kernels},
+                               Topic{"models", list_models},       Topic{"keys", list_keys}};
 
 void list_topic(const std::string& name) {
   std::vector<std::string_view> names;
