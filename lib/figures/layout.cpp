@@ -280,7 +280,8 @@ Drawing lay_out(const Figure& figure) {
   const double height = full_height / static_cast<double>(rows);
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const double left = width * static_cast<double>(i % columns);
-    const double top = full_height - height * static_cast<double>(i / columns);
+    const std::size_t row = i / columns;
+    const double top = full_height - height * static_cast<double>(row);
     PanelLayout(figure.panels[i], {left, top - height, left + width, top}, drawing).draw();
   }
   return drawing;

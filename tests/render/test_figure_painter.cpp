@@ -36,7 +36,8 @@ Figure make_figure() {
     lines.curves.push_back(curve);
   }
   PlottedMap map{"Stress [GPa]", {0.0, 8.0}, {0.0, 4.0}, 8, 4, {}, {-3.0, 2.0}};
-  for (int i = 0; i < 32; ++i) map.values.push_back(i % 8 - i / 8 - 3.0);
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 8; ++column) map.values.push_back(column - row - 3.0);
   figure.panels[1].x.label = "Place [mm]";
   figure.panels[1].map = map;
   return figure;
