@@ -23,10 +23,11 @@ class Boundary {
   [[nodiscard]] const std::string& scene_name() const { return scene_name_; }
   [[nodiscard]] virtual std::string_view name() const = 0;  // of the kind
   [[nodiscard]] virtual std::string_view purpose() const = 0;
-  /// Changes the velocities of the range (m/s) so that a move of time_step (s) respects the boundary. What it changes
-  /// is the boundary's impulse: the solver keeps the account.
+  /// Changes the velocities of the range (m/s) so that a move of time_step (s) respects the boundary, with the faces of
+  /// the body face_distance (m) beyond its outermost particles. What it changes is the boundary's impulse: the solver
+  /// keeps the account.
   virtual void correct_velocities(ParticleRange range, VectorView<D> positions, VectorView<D> velocities,
-                                  double time_step) const = 0;
+                                  double face_distance, double time_step) const = 0;
   /// True for a position that no particle may take.
   [[nodiscard]] virtual bool forbids(const Vec<D>& position) const = 0;
 

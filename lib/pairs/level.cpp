@@ -6,6 +6,7 @@
 #include "anvil/pairs/gradient_loop.hpp"
 #include "anvil/pairs/pair_loops.hpp"
 #include "anvil/terms/momentum_loop.hpp"
+#include "anvil/terms/nominal_momentum_loop.hpp"
 #include "anvil/terms/smoothing_loop.hpp"
 #include "anvil/terms/velocity_gradient_loop.hpp"
 #include "anvil/terms/viscosity_loop.hpp"
@@ -30,6 +31,7 @@ constexpr PairLoops<D> table() {
           .velocity_gradient = &sum_velocity_gradient<D>,
           .momentum = &sum_momentum<D, false>,
           .stress_difference = &sum_momentum<D, true>,
+          .nominal_momentum = &sum_nominal_momentum<D>,
           .viscosity = &sum_viscosity<D>,
           .plain_smoothing = &sum_plain_smoothing<D>,
           .pairwise_smoothing = &sum_pairwise_smoothing<D>};

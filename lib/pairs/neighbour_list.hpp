@@ -31,6 +31,10 @@ class NeighbourList {
   /// Adds neighbours to the ends of their particles' rows. Only where rows are not padded: in one dimension.
   void append(std::span<const ExtraNeighbour> extra) requires(D == 1);
 
+  /// Keeps the listed neighbours for which wanted(particle, neighbour) holds, and pads the rows anew.
+  template <class Wanted>
+  void keep_only(Wanted&& wanted, int lanes);
+
   [[nodiscard]] const std::int64_t* first() const { return first_.data(); }
   [[nodiscard]] const std::int32_t* neighbours() const { return neighbours_.data(); }
   /// Listed neighbours of all particles, padding not counted.
@@ -62,5 +66,27 @@ class NeighbourList {
   };
   std::vector<Chunk> chunks_;
 };
+
+template <int D>
+template <class Wanted>
+void NeighbourList<D>::keep_only(Wanted&& wanted, int lanes) {
+  const auto particles = static_cast<std::int32_t>(first_.size() - 1);
+  std::vector<std::int32_t> kept;
+  std::int64_t begin = 0;
+  listed_ = 0;
+  for (std::int32_t i = 0; i < particles; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    const std::size_t row_start = kept.size();
+    for (std::int64_t k = begin; k < first_[row + 1]; ++k) {
+      const std::int32_t j = neighbours_[static_cast<std::size_t>(k)];
+      if (j < particles && wanted(i, j)) kept.push_back(j);
+    }
+    listed_ += static_cast<std::int64_t>(kept.size() - row_start);
+    while ((kept.size() - row_start) % static_cast<std::size_t>(lanes) != 0) kept.push_back(particles);
+    begin = first_[row + 1];
+    first_[row + 1] = static_cast<std::int64_t>(kept.size());
+  }
+  neighbours_ = std::move(kept);
+}
 
 }  // namespace anvil

@@ -40,6 +40,7 @@ struct PairLoops {
   void (*velocity_gradient)(const PairTile<D>&, const PairRecords<D>&, double* out);
   void (*momentum)(const PairTile<D>&, const PairRecords<D>&, const double* divisor, double* acceleration);
   void (*stress_difference)(const PairTile<D>&, const PairRecords<D>&, const double* divisor, double* acceleration);
+  void (*nominal_momentum)(const PairTile<D>&, const PairRecords<D>&, double* acceleration);
   void (*viscosity)(const PairTile<D>&, const PairRecords<D>&, const ViscosityCoefficients&, double* acceleration,
                     double* heating);
   void (*plain_smoothing)(const PairTile<D>&, const PairRecords<D>&, double* change);

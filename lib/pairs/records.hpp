@@ -42,9 +42,11 @@ template <int D>
 struct PairRecords {
   static constexpr int small = D == 1 ? 2 : 4;
   static constexpr int large = D == 1 ? 2 : (D == 2 ? 4 : 8);
+  static constexpr int nominal_size = D == 1 ? 2 : (D == 2 ? 8 : 12);
   Records<small> geometry;  // position, smoothing length
   Records<small> motion;    // velocity, volume
   Records<large> traction;  // tensor T, weight w: what the momentum sum reads
+  Records<nominal_size> nominal;  // tensor of D x D, weight: what the momentum sum of the reference configuration reads
   Records<4> medium;        // sound speed, density, mass
 
   /// Room for images of particles (see FaceGhosts) behind the padding record; those of before are gone.
@@ -58,19 +60,22 @@ struct PairRecords {
     for (std::size_t g = 0; g < images; ++g) medium[own + g][1] = 1.0;  // a density to divide by; their mass stays zero
   }
 
-  /// All records zero but those of the padding.
-  void resize(std::size_t particles, bool with_medium);
+  /// All records zero but those of the padding. Those of stress are `traction` or `nominal`.
+  void resize(std::size_t particles, bool with_medium, bool with_nominal = false);
 
  private:
   std::size_t particles_ = 0;
 };
 
 template <int D>
-void PairRecords<D>::resize(std::size_t particles, bool with_medium) {
+void PairRecords<D>::resize(std::size_t particles, bool with_medium, bool with_nominal) {
   particles_ = particles;
   geometry.resize(particles);
   motion.resize(particles);
-  traction.resize(particles);
+  if (with_nominal)
+    nominal.resize(particles);
+  else
+    traction.resize(particles);
   std::fill_n(geometry[particles], D, padding_distance);
   geometry[particles][D] = 1.0;
   if (!with_medium) return;

@@ -174,6 +174,32 @@ void check_method(const Scene& scene, Contradictions& found) {
                      scene.domain.dimension)});
 }
 
+/// What total Lagrangian sums cannot do, and what only they can.
+void check_total_lagrangian(const Scene& scene, Contradictions& found) {
+  const auto refuse = [&](const char* key, const std::string& sentence) { found.push_back({key, sentence}); };
+  if (scene.discretisation.method != "total_lagrangian") {
+    if (scene.stabiliser.method != "none")
+      refuse("stabiliser.method", fmt::format("{} belongs to the method total_lagrangian, whose lattice never changes",
+                                              scene.stabiliser.method));
+    return;
+  }
+  if (scene.discretisation.momentum_form != "sum")
+    refuse("discretisation.momentum_form",
+           fmt::format("{} does not go with total_lagrangian, whose forces are the adjoint of its deformation "
+                       "gradient; leave the key out",
+                       scene.discretisation.momentum_form));
+  if (scene.shock.method != "none" && scene.shock.method != "bulk_viscosity")
+    refuse("shock.method", fmt::format("{} works on the present neighbours, and total_lagrangian keeps those of the "
+                                       "start; use bulk_viscosity",
+                                       scene.shock.method));
+  if (scene.stabiliser.conservative_smoothing > 0.0)
+    refuse("stabiliser.conservative_smoothing",
+           "it averages over the present neighbours, and total_lagrangian keeps those of the start; use "
+           "stabiliser.method");
+  if (scene.domain.strain_state == "uniaxial_stress")
+    refuse("domain.strain_state", "total_lagrangian has no uniaxial stress; use kernel_gradient_correction or cspm");
+}
+
 void check_normals(const Scene& scene, Contradictions& found) {
   for (const auto& boundary : scene.boundaries) {
     if (!boundary.entry.parameters.has("normal")) continue;
@@ -243,6 +269,7 @@ std::vector<Contradiction> find_contradictions(const Scene& scene) {
   check_normals(scene, found);
   check_pressures(scene, found);
   check_method(scene, found);
+  check_total_lagrangian(scene, found);
   check_neighbours(scene, found);
   check_speeds(scene, found);
   if (scene.domain.dimension == 1) check_bodies<1>(scene, found);

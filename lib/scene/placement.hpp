@@ -25,11 +25,13 @@ template <int D>
 std::array<long long, D> count_cells(const Shape<D>& shape, double spacing);
 
 /// Fills the body's shape with a cubic lattice (a square one in 2D, a line in 1D) of cells of `spacing`, centred on the
-/// shape and mirror-symmetric about its middle; N particles span N spacings, so the outermost centres lie half a
-/// spacing inside the faces of a box. A cell becomes a particle when its centre lies in the shape. All particles have
-/// the same volume, and their sum is the exact volume of the shape whatever the spacing: where a curved face cuts
-/// cells, or a length is no whole number of spacings, all volumes are scaled alike. Order: the last coordinate changes
-/// fastest. Throws InputError when no cell lies in the shape, or too many do.
+/// shape and mirror-symmetric about its middle. A cell belongs to the body when its centre lies in the shape.
+/// Lattice `cubic`: each cell becomes a particle; N particles span N spacings, so the outermost centres lie half a
+/// spacing inside the faces of a box. Lattice `face_lattice`: particles stand on the corners of the cells and share
+/// their volumes; those on the faces, edges and corners of a box have a half, a quarter and an eighth of a cell.
+/// The volumes add up to the exact volume of the shape whatever the spacing: where a curved face cuts cells, or a
+/// length is no whole number of spacings, all are scaled alike. Order: the last coordinate changes fastest. Throws
+/// InputError when no cell lies in the shape, or too many do.
 template <int D>
 PlacedBody<D> place_body(const BodyDescription& body, double spacing);
 

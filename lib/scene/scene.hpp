@@ -76,6 +76,8 @@ struct Shock {
   double linear_coefficient;     // alpha of Monaghan and Gingold
   double quadratic_coefficient;  // beta
   double softening;              // eps
+  double bulk_linear_coefficient;
+  double bulk_quadratic_coefficient;
   double diffusion;              // eta1 of flux-corrected transport
   double antidiffusion;          // eta2
   std::string limiter;
@@ -83,6 +85,7 @@ struct Shock {
 };
 
 struct Stabiliser {
+  std::string method;
   double conservative_smoothing;  // alpha_cs, 0 switches it off
   std::string smoothing_form;
   bool operator==(const Stabiliser&) const = default;

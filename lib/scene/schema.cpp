@@ -55,8 +55,9 @@ Section<Discretisation> discretisation_section() {
                 .kind = ValueKind::choice,
                 .standard = "sph",
                 .help = "approximation of derivatives: sph is the plain one; kernel_gradient_correction corrects the "
-                        "velocity gradient, cspm that and the divergence of stress, so that linear fields are exact",
-                .choices = {"sph", "cspm", "kernel_gradient_correction"}},
+                        "velocity gradient, cspm that and the divergence of stress, so that linear fields are exact; "
+                        "total_lagrangian takes corrected gradients in the reference configuration",
+                .choices = {"sph", "cspm", "kernel_gradient_correction", "total_lagrangian"}},
                &Discretisation::method},
               {{.name = "kernel",
                 .kind = ValueKind::choice,
@@ -101,8 +102,8 @@ Section<Shock> shock_section() {
             .kind = ValueKind::choice,
             .standard = "none",
             .help = "artificial_viscosity is that of Monaghan and Gingold (1983); fct is flux-corrected transport of "
-                    "velocity and density, in 1D",
-            .choices = {"none", "artificial_viscosity", "fct"}},
+                    "velocity and density, in 1D; bulk_viscosity is a pressure against the rate of compression",
+            .choices = {"none", "artificial_viscosity", "fct", "bulk_viscosity"}},
            &Shock::method},
           {{.name = "linear_coefficient",
             .standard = 1.0,
@@ -119,6 +120,16 @@ Section<Shock> shock_section() {
             .range = Range::positive,
             .help = "eps of the artificial viscosity: keeps mu finite where particles meet"},
            &Shock::softening},
+          {{.name = "bulk_linear_coefficient",
+            .standard = 0.06,
+            .range = Range::not_negative,
+            .help = "of the bulk viscosity, times the sound speed"},
+           &Shock::bulk_linear_coefficient},
+          {{.name = "bulk_quadratic_coefficient",
+            .standard = 1.2,
+            .range = Range::not_negative,
+            .help = "of the bulk viscosity, against strong shocks"},
+           &Shock::bulk_quadratic_coefficient},
           {{.name = "diffusion",
             .standard = 0.125,
             .range = Range::half_fraction,
@@ -145,6 +156,13 @@ Section<Stabiliser> stabiliser_section() {
       Occurrence::once,
       "What keeps particles from numerical fracture.",
       {
+          {{.name = "method",
+            .kind = ValueKind::choice,
+            .standard = "none",
+            .help = "against motions that gradients do not see, in total_lagrangian: edge_stress_points puts the "
+                    "deviatoric stress on the edges of the lattice",
+            .choices = {"none", "edge_stress_points"}},
+           &Stabiliser::method},
           {{.name = "conservative_smoothing",
             .standard = 0.0,
             .range = Range::half_fraction,
@@ -197,8 +215,9 @@ Section<BodyDescription> body_section() {
             .standard = "cubic",
             .help =
                 "arrangement of the particles: cubic (a square one in 2D, a line in 1D) fills the shape with cells, "
-                "so the outermost particles lie half a spacing inside its faces",
-            .choices = {"cubic"}},
+                "so the outermost particles lie half a spacing inside its faces; face_lattice puts them on the "
+                "corners of the cells, so the outermost lie on the faces with half of a volume",
+            .choices = {"cubic", "face_lattice"}},
            &BodyDescription::lattice},
           {{.name = "material",
             .kind = ValueKind::name,

@@ -30,7 +30,7 @@ template <int D>
 double Solver<D>::elastic_energy() const {
   double energy = 0.0;
   for (const auto& body : recipe_.bodies)
-    energy += body.strength->elastic_energy(body.range) + body.eos->elastic_energy(body.range);
+    energy += body.strength->elastic_energy(body.strength_range) + body.eos->elastic_energy(body.range);
   return energy;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 
 #include "anvil/solver/solver.hpp"
@@ -21,7 +22,11 @@ Explanation Solver<D>::explain() const {
   if (recipe_.transport)
     add("flux_corrected_transport", "spreads and gathers velocities, then densities, along the line");
   for (const auto& boundary : recipe_.boundaries) add(boundary->name(), boundary->purpose());
-  add("velocity_gradient", "d v_a / d x_b from velocity differences");
+  if (recipe_.bulk_viscosity) add("bulk_viscosity", "pressure against the rate of compression");
+  if (recipe_.deformation)
+    add("deformation_gradient", "d x_a / d X_b and its rate from the pairs and corrected gradients of the start");
+  else
+    add("velocity_gradient", "d v_a / d x_b from velocity differences");
   add("continuity", smoothing_length_varies_ ? "density and smoothing length follow the divergence"
                                              : "density follows the divergence");
   for (const auto& body : recipe_.bodies) {
@@ -41,7 +46,19 @@ Explanation Solver<D>::explain() const {
   };
   add_record("geometry record", PairRecords<D>::small, "position and smoothing length, packed for the pair loops");
   add_record("motion record", PairRecords<D>::small, "velocity and volume, packed for the pair loops");
-  add_record("traction record", PairRecords<D>::large, "stress and weight, packed for the pair loops");
+  if (recipe_.deformation) {
+    add_record("nominal record", PairRecords<D>::nominal_size, "nominal stress and weight, packed for the pair loops");
+    add_record("reference record", Deformation<D>::doubles_per_particle(), "gradient correction, rate, volume, density");
+    add_record("frozen gradients",
+               static_cast<int>(std::lround(static_cast<double>(D * frozen_gradient_[0].size()) /
+                                            std::max(1.0, static_cast<double>(particle_count())))),
+               "kernel gradients of the start, padding included");
+  } else {
+    add_record("traction record", PairRecords<D>::large, "stress and weight, packed for the pair loops");
+  }
+  if (recipe_.edges)
+    add_record("edge stress points", static_cast<int>(std::lround(recipe_.edges->doubles_per_particle())),
+               "ends, directions, stresses and histories of the edges");
   if (medium_needed_) add_record("medium record", 4, "sound speed, density and mass, packed for the pair loops");
 
   explanation.particles = particle_count();
@@ -66,7 +83,7 @@ std::int64_t Solver<D>::count_pairs() const {
       const auto j = static_cast<std::size_t>(neighbours_.neighbours()[k]);
       if (j >= particle_count()) break;  // padding or images
       const double reach = 0.5 * recipe_.support * (smoothing_length_[i] + smoothing_length_[j]);
-      if ((position_[i] - position_[j]).squaredNorm() < reach * reach) ++pairs;
+      if (recipe_.deformation || (position_[i] - position_[j]).squaredNorm() < reach * reach) ++pairs;
     }
   }
   return pairs;

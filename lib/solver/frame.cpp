@@ -52,9 +52,15 @@ Frame Solver<D>::frame() const {
 
   FrameArray stress{"stress", "Pa", 6, false, std::vector<double>(6 * particles)};
   FrameArray deviatoric = array_of(field::deviatoric_stress, 6, particles);
-  const double* stored = nullptr;
-  for (const auto& field : fields_.fields())
-    if (field.key->name == field::deviatoric_stress.name) stored = field.values.data();
+  // Stress points on edges are shown by their mean at each particle.
+  const auto values_of = [&](const FieldKey& key) -> std::vector<double> {
+    if (recipe_.edges && recipe_.edges->fields().has(key)) return recipe_.edges->mean_at_particles(key);
+    for (const auto& field : fields_.fields())
+      if (field.key->name == key.name) return field.values;
+    return {};
+  };
+  const std::vector<double> deviators = values_of(field::deviatoric_stress);
+  const double* stored = deviators.empty() ? nullptr : deviators.data();
   for (std::size_t i = 0; i < particles; ++i) {
     const Tensor deviator =
         stored == nullptr ? Tensor(Tensor::Zero()) : StrainState::deviator(stored + StrainState::components * i);
@@ -63,10 +69,9 @@ Frame Solver<D>::frame() const {
   }
   frame.arrays = {std::move(id),      std::move(body),     std::move(initial), std::move(velocity),
                   std::move(density), std::move(pressure), std::move(stress),  std::move(smoothing_length)};
-  if (fields_.has(field::plastic_strain)) {
+  if (auto plastic_strains = values_of(field::plastic_strain); !plastic_strains.empty()) {
     FrameArray plastic_strain = array_of(field::plastic_strain, 1, particles);
-    const auto values = fields_.scalar(field::plastic_strain);
-    std::copy(values.begin(), values.end(), plastic_strain.values.begin());
+    plastic_strain.values = std::move(plastic_strains);
     frame.arrays.push_back(std::move(plastic_strain));
   }
   const auto& wanted = scene_.output.fields;

@@ -10,6 +10,7 @@
 #include "anvil/scene/placement.hpp"
 #include "anvil/terms/conservative_smoothing.hpp"
 #include "anvil/terms/momentum.hpp"
+#include "anvil/terms/nominal_momentum.hpp"
 #include "anvil/terms/viscosity.hpp"
 
 namespace anvil {
@@ -51,6 +52,14 @@ MomentumForm momentum_form_of(const Scene& scene) {
 template <int D>
 void add_forces(const Scene& scene, FieldStore& fields, Recipe<D>& recipe) {
   const MomentumForm form = momentum_form_of(scene);
+  if (scene.shock.method == "bulk_viscosity")
+    recipe.bulk_viscosity =
+        std::make_unique<BulkViscosity<D>>(fields, scene.shock.bulk_linear_coefficient,
+                                           scene.shock.bulk_quadratic_coefficient, scene.discretisation.spacing);
+  if (recipe.deformation) {
+    recipe.forces.push_back(std::make_unique<NominalMomentum<D>>(fields, *recipe.deformation, recipe.edges));
+    return;
+  }
   recipe.corrected_gradients = scene.discretisation.method != "sph";
   recipe.forces.push_back(std::make_unique<Momentum<D>>(fields, form));
   if (scene.shock.method == "artificial_viscosity") {
@@ -85,7 +94,7 @@ void add_boundaries(const Scene& scene, Recipe<D>& recipe) {
     const Parameters& parameters = boundary.entry.parameters;
     recipe.boundaries.push_back(std::make_unique<RigidWall<D>>(boundary.name, vector_of<D>(parameters.numbers("point")),
                                                                vector_of<D>(parameters.numbers("normal")).normalized(),
-                                                               0.5 * scene.discretisation.spacing));
+                                                               scene.discretisation.spacing));
   }
 }
 
@@ -170,17 +179,27 @@ Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& rang
   Recipe<D> recipe;
   recipe.kernel = make_kernel(scene.discretisation.kernel);
   recipe.support = std::visit([](const auto& kernel) { return kernel.support; }, recipe.kernel);
-  recipe.variable_smoothing_length = scene.discretisation.variable_smoothing_length;
+  recipe.variable_smoothing_length =
+      scene.discretisation.variable_smoothing_length && scene.discretisation.method != "total_lagrangian";
+  std::unique_ptr<EdgePoints<D>> edges;
+  if (scene.discretisation.method == "total_lagrangian") recipe.deformation = std::make_unique<Deformation<D>>(fields);
+  if (scene.stabiliser.method == "edge_stress_points") {
+    edges = std::make_unique<EdgePoints<D>>(fields, ranges, scene.discretisation.spacing);
+    recipe.edges = edges.get();
+  }
   for (std::size_t b = 0; b < ranges.size(); ++b) {
     const MaterialDescription& material = material_of(scene, scene.bodies[b]);
     const Strength strength = make_strength(material.strength);
     const Eos eos = make_eos(material.eos, material.density);
-    recipe.bodies.push_back({scene.bodies[b].name, ranges[b], make_strength_update<D>(strength, fields),
-                             make_eos_update<D>(eos, fields), nullptr});
+    recipe.bodies.push_back({scene.bodies[b].name, ranges[b],
+                             make_strength_update<D>(strength, edges ? edges->fields() : fields),
+                             edges ? edges->edges_from(ranges[b]) : ranges[b], make_eos_update<D>(eos, fields), nullptr,
+                             scene.bodies[b].lattice == "cubic" ? 0.5 * scene.discretisation.spacing : 0.0});
     if (scene.domain.strain_state == "uniaxial_stress")
       recipe.bodies.back().lateral_release = make_lateral_release(strength, eos, fields);
   }
   add_forces(scene, fields, recipe);
+  if (edges) recipe.forces.push_back(std::move(edges));
   add_filters(scene, recipe);
   add_boundaries(scene, recipe);
   if constexpr (D == 1) add_line_terms(scene, ranges, fields, recipe);

@@ -11,9 +11,12 @@
 #include "anvil/materials/lateral_release.hpp"
 #include "anvil/materials/material_update.hpp"
 #include "anvil/scene/scene.hpp"
+#include "anvil/terms/bulk_viscosity.hpp"
 #include "anvil/terms/force_term.hpp"
 #include "anvil/terms/line_transport.hpp"
 #include "anvil/terms/velocity_filter.hpp"
+#include "anvil/total_lagrangian/deformation.hpp"
+#include "anvil/total_lagrangian/edge_points.hpp"
 
 namespace anvil {
 
@@ -23,8 +26,10 @@ struct Body {
   std::string name;
   ParticleRange range;
   std::unique_ptr<StrengthUpdate<D>> strength;
+  ParticleRange strength_range;  // where the strength law works: the particles, or edges between them
   std::unique_ptr<EosUpdate<D>> eos;
   std::unique_ptr<LateralRelease> lateral_release;  // in uniaxial stress
+  double face_distance = 0.0;                       // m, from the outermost particles to the body's faces at the start
 };
 
 /// What a step of a scene is made of, in order. Nothing in it knows the names of the scene's models any more.
@@ -38,6 +43,10 @@ struct Recipe {
   std::vector<std::unique_ptr<ForceTerm<D>>> forces;
   std::vector<std::unique_ptr<VelocityFilter<D>>> filters;
   std::vector<std::unique_ptr<Boundary<D>>> boundaries;
+  std::unique_ptr<BulkViscosity<D>> bulk_viscosity;
+  // Only in total Lagrangian scenes: the terms' gradients are then those of the start.
+  std::unique_ptr<Deformation<D>> deformation;
+  EdgePoints<D>* edges = nullptr;  // one of the forces
   // Only in one dimension, where particles form a line with two ends.
   std::vector<PressureLoad> loads;
   std::unique_ptr<FaceGhosts> face_ghosts;

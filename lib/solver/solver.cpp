@@ -31,13 +31,17 @@ Solver<D>::Solver(const Scene& scene)
       position_(fields_.vector<D>(field::position)),
       initial_position_(fields_.vector<D>(field::initial_position)),
       velocity_(fields_.vector<D>(field::velocity)),
-      listed_position_((fields_.require(field::listed_position, D), fields_.vector<D>(field::listed_position))),
+      listed_position_(nullptr),
       start_velocity_(nullptr),
       mass_(fields_.scalar(field::mass)),
       density_(fields_.scalar(field::density)),
       smoothing_length_(fields_.scalar(field::smoothing_length)),
       pressure_(fields_.scalar(field::pressure)),
       skin_(skin_ratio * scene.discretisation.spacing) {
+  if (!recipe_.deformation) {
+    fields_.require(field::listed_position, D);
+    listed_position_ = fields_.vector<D>(field::listed_position);
+  }
   if (smoothing_length_varies_) {
     fields_.require(field::listed_smoothing_length);
     listed_smoothing_length_ = fields_.scalar(field::listed_smoothing_length);
@@ -50,8 +54,11 @@ Solver<D>::Solver(const Scene& scene)
     start_velocity_ = fields_.vector<D>(field::start_velocity);
   }
   make_tiles();
-  records_.resize(particle_count(), medium_needed_);
-  list_neighbours();
+  records_.resize(particle_count(), medium_needed_, recipe_.deformation != nullptr);
+  if (recipe_.deformation)
+    freeze_pairs();
+  else
+    list_neighbours();
   strain(0.0);
   first_step_limit_ = step_limit_;
   ledger_.start_energy = kinetic_energy() + elastic_energy();
@@ -71,10 +78,14 @@ void Solver<D>::size_scratch() {
   std::int64_t most = 0;
   for (const Tile& tile : tiles_)
     most = std::max(most, neighbours_.first()[tile.range.end] - neighbours_.first()[tile.range.begin]);
+  std::int32_t most_edges = 0;
+  if (recipe_.edges)
+    for (const Tile& tile : tiles_) most_edges = std::max(most_edges, recipe_.edges->edges_from(tile.range).count());
   const auto pairs = static_cast<std::size_t>(most);
   scratch_.resize(static_cast<std::size_t>(thread_count()));
   for (Scratch& scratch : scratch_) {
-    for (auto& component : scratch.gradient) component.resize(std::max(pairs, component.size()));
+    if (!recipe_.deformation)
+      for (auto& component : scratch.gradient) component.resize(std::max(pairs, component.size()));
     if (recipe_.corrected_gradients && recipe_.force_needs.gradient && recipe_.force_needs.plain_gradient)
       for (auto& component : scratch.plain_gradient) component.resize(std::max(pairs, component.size()));
     if (recipe_.force_needs.value || recipe_.filter_needs.value)
@@ -82,6 +93,7 @@ void Solver<D>::size_scratch() {
     scratch.per_particle.resize(static_cast<std::size_t>(tile_size) * D * D);
     scratch.loss.resize(tile_size);
     scratch.sound_speed.resize(tile_size);
+    scratch.per_edge.resize(static_cast<std::size_t>(most_edges) * D * D);
     if (D == 1) scratch.lateral_rate.resize(tile_size);
   }
 }
@@ -93,6 +105,12 @@ PairTile<D> Solver<D>::open_tile(const Tile& tile, Scratch& scratch, PairNeeds n
   pairs.end = tile.range.end;
   pairs.first = neighbours_.first();
   pairs.neighbour = neighbours_.neighbours();
+  if (recipe_.deformation) {
+    for (std::size_t a = 0; a < D; ++a)
+      pairs.gradient[a] = pairs.plain_gradient[a] =
+          const_cast<double*>(frozen_gradient_[a].data()) + pairs.first[pairs.begin];
+    return pairs;
+  }
   const bool correct = needs.gradient && recipe_.corrected_gradients;
   for (std::size_t a = 0; a < D; ++a) {
     pairs.gradient[a] = scratch.gradient[a].data();
@@ -124,7 +142,7 @@ void Solver<D>::pack_motion(ParticleRange range) {
   for (std::size_t i = range.first(); i < range.last(); ++i) {
     double* record = records_.motion[i];
     for (int a = 0; a < D; ++a) record[a] = velocity_[i][a];
-    record[D] = mass_[i] / density_[i];
+    if (!recipe_.deformation) record[D] = mass_[i] / density_[i];
   }
 }
 
@@ -143,6 +161,40 @@ void Solver<D>::list_neighbours() {
   ++list_builds_;
 }
 
+/// Geometry, and volumes for good, of the configuration that pairs are frozen in.
+template <int D>
+void Solver<D>::pack_start(ParticleRange range) {
+  for (std::size_t i = range.first(); i < range.last(); ++i) {
+    for (int a = 0; a < D; ++a) records_.geometry[i][a] = initial_position_[i][a];
+    records_.geometry[i][D] = smoothing_length_[i];
+    records_.motion[i][D] = recipe_.deformation->volume(i);
+  }
+  pack_motion(range);
+}
+
+/// Total Lagrangian scenes keep the pairs they start with, within bodies, and their gradients.
+template <int D>
+void Solver<D>::freeze_pairs() {
+  std::vector<std::int32_t> body_of(particle_count());
+  for (std::size_t b = 0; b < ranges_.size(); ++b)
+    std::fill(body_of.begin() + ranges_[b].begin, body_of.begin() + ranges_[b].end, static_cast<std::int32_t>(b));
+  neighbours_.build(initial_position_, smoothing_length_, recipe_.support, 0.0, loops_);
+  neighbours_.keep_only(
+      [&](std::int32_t i, std::int32_t j) {
+        return body_of[static_cast<std::size_t>(i)] == body_of[static_cast<std::size_t>(j)];
+      },
+      loops_.lanes);
+  for (auto& component : frozen_gradient_)
+    component.assign(static_cast<std::size_t>(neighbours_.first()[particle_count()]), 0.0);
+  size_scratch();
+  for (const auto& range : ranges_) pack_start(range);
+  for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+    const PairTile<D> pairs = open_tile(tile, scratch, {});
+    kernel_loops_.gradients(pairs, records_);
+    report.uncorrected = recipe_.deformation->find_corrections(pairs, records_);
+  });
+}
+
 std::unique_ptr<Simulation> make_simulation(const Scene& scene) {
   if (scene.domain.dimension == 1) return std::make_unique<Solver<1>>(scene);
   if (scene.domain.dimension == 2) return std::make_unique<Solver<2>>(scene);
@@ -154,6 +206,7 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene) {
   template PairTile<D> Solver<D>::open_tile(const Tile&, Scratch&, PairNeeds) const; \
   template void Solver<D>::pack_geometry(ParticleRange);                             \
   template void Solver<D>::pack_motion(ParticleRange);                               \
+  template void Solver<D>::freeze_pairs();                                           \
   template void Solver<D>::list_neighbours()
 ANVIL_INSTANTIATE(1);
 ANVIL_INSTANTIATE(2);

@@ -17,6 +17,7 @@ template <int D>
 struct TileReport {
   double plastic_work = 0.0;                               // J
   double viscous_loss = 0.0;                               // J
+  double bulk_viscous_loss = 0.0;                          // J
   double smoothing_loss = 0.0;                             // J
   Vec<D> smoothing_impulse = Vec<D>::Zero();               // N s
   double wall_loss = 0.0;                                  // J
@@ -71,6 +72,7 @@ class Solver final : public Simulation {
   struct Scratch {  // of one thread
     std::vector<double> gradient[D], plain_gradient[D], value;
     std::vector<double> per_particle;  // velocity gradients, accelerations or changes of the tile
+    std::vector<double> per_edge;      // velocity gradients
     std::vector<double> loss, sound_speed, lateral_rate;
   };
 
@@ -87,13 +89,19 @@ class Solver final : public Simulation {
   void strain(double time_step);
   void transport_densities();
 
+  void strain_from_reference(double time_step);  // total_lagrangian_step.cpp
+  void deform_from_reference(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
+  void deform_edges(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
+  void limit_and_check_deformed(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report);
+  void collect_strain_reports();
+
   void accelerate_tile(const Tile& tile, Scratch& scratch, double kick, TileReport<D>& report);
   void filter_tile(const Tile& tile, const VelocityFilter<D>& filter, Scratch& scratch, double time_step,
                    TileReport<D>& report);
   void move_tile(const Tile& tile, double time_step, TileReport<D>& report);
   void apply_boundaries(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
   void deform_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
-  void respond_tile(const Tile& tile, Scratch& scratch, TileReport<D>& report);
+  void respond_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
   void update_density(ParticleRange range, const double* velocity_gradient, const double* lateral_rate,
                       double time_step);
   void pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report);
@@ -107,6 +115,9 @@ class Solver final : public Simulation {
   void pack_geometry(ParticleRange range);
   void pack_motion(ParticleRange range);
   void list_neighbours();
+  void freeze_pairs();
+  void pack_start(ParticleRange range);
+  void note_displacements(ParticleRange range, TileReport<D>& report);
 
   // guards.cpp
   void check_reports() const;
@@ -128,6 +139,7 @@ class Solver final : public Simulation {
   const PairLoops<D>& loops_;
   typename PairLoops<D>::KernelLoops kernel_loops_;
   NeighbourList<D> neighbours_;
+  std::vector<double> frozen_gradient_[D];  // of all pairs, in total Lagrangian scenes
   PairRecords<D> records_;
   std::vector<Tile> tiles_;
   std::vector<TileReport<D>> reports_;

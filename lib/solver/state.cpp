@@ -57,6 +57,9 @@ State Solver<D>::state() const {
   State state;
   for (const auto& field : fields_.fields())
     state["field/" + std::string(field.key->name)] = {field.components, field.values};
+  if (recipe_.edges)
+    for (const auto& field : recipe_.edges->fields().fields())
+      state["edge/" + std::string(field.key->name)] = {field.components, field.values};
   state[clock_name] = {1, std::vector<double>{time_, time_step_, step_limit_, first_step_limit_}};
   state[counts_name] = {1, std::vector<std::int64_t>{step_, list_builds_, limiting_particle_}};
   state[ledger_name] = {1, ledger_numbers(ledger_)};
@@ -68,23 +71,31 @@ void Solver<D>::restore(const State& state) {
   // All is checked before anything changes.
   for (const auto& field : fields_.fields())
     (void)numbers_of<double>(state, "field/" + std::string(field.key->name), field.values.size());
+  if (recipe_.edges)
+    for (const auto& field : recipe_.edges->fields().fields())
+      (void)numbers_of<double>(state, "edge/" + std::string(field.key->name), field.values.size());
   const auto& clock = numbers_of<double>(state, clock_name, 4);
   const auto& counts = numbers_of<std::int64_t>(state, counts_name, 3);
   const auto& ledger = numbers_of<double>(state, ledger_name, 7 + 4 * D);
-  const auto load = [&](const FieldKey& key, std::vector<double>& values) {
+  const auto load = [&](const std::string& kind, FieldStore& store) {
     // The views of the terms point into the fields: their memory stays where it is.
-    const auto& stored = numbers_of<double>(state, "field/" + std::string(key.name), values.size());
-    std::copy(stored.begin(), stored.end(), values.begin());
+    for (auto& field : store.fields()) {
+      const auto& stored = numbers_of<double>(state, kind + std::string(field.key->name), field.values.size());
+      std::copy(stored.begin(), stored.end(), field.values.begin());
+    }
   };
-  for (auto& field : fields_.fields()) load(*field.key, field.values);
+  load("field/", fields_);
 
   // The list is made where it was made, then position and smoothing length become the present ones again.
-  for (std::size_t i = 0; i < particle_count(); ++i) {
-    position_[i] = listed_position_[i];
-    if (smoothing_length_varies_) smoothing_length_[i] = listed_smoothing_length_[i];
+  if (!recipe_.deformation) {
+    for (std::size_t i = 0; i < particle_count(); ++i) {
+      position_[i] = listed_position_[i];
+      if (smoothing_length_varies_) smoothing_length_[i] = listed_smoothing_length_[i];
+    }
+    list_neighbours();
+    load("field/", fields_);
   }
-  list_neighbours();
-  for (auto& field : fields_.fields()) load(*field.key, field.values);
+  if (recipe_.edges) load("edge/", recipe_.edges->fields());
   strain(0.0);  // no time passes: fills the records that the next step reads
 
   time_ = clock[0];

@@ -51,10 +51,11 @@ double Solver<D>::choose_time_step(double latest) const {
 
 template <int D>
 void Solver<D>::accelerate(double kick) {
-  for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) {
-    pack_geometry(tile.range);
-    pack_motion(tile.range);
-  });
+  if (!recipe_.deformation)
+    for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) {
+      pack_geometry(tile.range);
+      pack_motion(tile.range);
+    });
   load_faces(kick);
   for_each_tile(
       [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) { accelerate_tile(tile, scratch, kick, report); });
@@ -120,6 +121,7 @@ void Solver<D>::move(double time_step) {
   for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
     if (!recipe_.boundaries.empty()) apply_boundaries(tile, scratch, time_step, report);
     move_tile(tile, time_step, report);
+    if (recipe_.deformation) return pack_motion(tile.range);
     pack_geometry(tile.range);
     pack_motion(tile.range);
   });
@@ -133,10 +135,11 @@ void Solver<D>::move(double time_step) {
 
 template <int D>
 void Solver<D>::apply_boundaries(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
+  const double face_distance = recipe_.bodies[static_cast<std::size_t>(tile.body)].face_distance;
   double* before = scratch.per_particle.data();
   std::copy_n(velocity_.raw() + tile.range.first() * D, tile.range.count() * D, before);
   for (const auto& boundary : recipe_.boundaries)
-    boundary->correct_velocities(tile.range, position_, velocity_, time_step);
+    boundary->correct_velocities(tile.range, position_, velocity_, face_distance, time_step);
   report.wall_loss = 0.0;
   report.wall_impulse = Vec<D>::Zero();
   for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i, before += D) {
@@ -157,20 +160,28 @@ void Solver<D>::apply_boundaries(const Tile& tile, Scratch& scratch, double time
 
 template <int D>
 void Solver<D>::move_tile(const Tile& tile, double time_step, TileReport<D>& report) {
-  report.least_displacement.setConstant(std::numeric_limits<double>::max());
-  report.greatest_displacement = -report.least_displacement;
-  report.greatest_growth = 0.0;
   report.broken_particle = -1;
   for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
     position_[i] += time_step * velocity_[i];
+    bool broken = !std::isfinite(position_[i].sum());
+    for (const auto& boundary : recipe_.boundaries) broken = broken || boundary->forbids(position_[i]);
+    if (broken && report.broken_particle < 0) report.broken_particle = static_cast<std::int32_t>(i);
+  }
+  if (!recipe_.deformation) note_displacements(tile.range, report);
+}
+
+/// What refresh_neighbours asks for.
+template <int D>
+void Solver<D>::note_displacements(ParticleRange range, TileReport<D>& report) {
+  report.least_displacement.setConstant(std::numeric_limits<double>::max());
+  report.greatest_displacement = -report.least_displacement;
+  report.greatest_growth = 0.0;
+  for (std::size_t i = range.first(); i < range.last(); ++i) {
     const Vec<D> displacement = position_[i] - listed_position_[i];
     report.least_displacement = report.least_displacement.cwiseMin(displacement);
     report.greatest_displacement = report.greatest_displacement.cwiseMax(displacement);
     if (smoothing_length_varies_)
       report.greatest_growth = std::max(report.greatest_growth, smoothing_length_[i] - listed_smoothing_length_[i]);
-    bool broken = !std::isfinite(position_[i].sum());
-    for (const auto& boundary : recipe_.boundaries) broken = broken || boundary->forbids(position_[i]);
-    if (broken && report.broken_particle < 0) report.broken_particle = static_cast<std::int32_t>(i);
   }
 }
 
@@ -178,7 +189,7 @@ void Solver<D>::move_tile(const Tile& tile, double time_step, TileReport<D>& rep
 /// approached is bounded by the box around all displacements, which does not grow when everything moves alike.
 template <int D>
 void Solver<D>::refresh_neighbours() {
-  if (reports_.empty()) return;
+  if (reports_.empty() || recipe_.deformation) return;
   Vec<D> least = reports_[0].least_displacement, greatest = reports_[0].greatest_displacement;
   double growth = 0.0;
   for (const auto& report : reports_) {
@@ -191,6 +202,7 @@ void Solver<D>::refresh_neighbours() {
 
 template <int D>
 void Solver<D>::strain(double time_step) {
+  if (recipe_.deformation) return strain_from_reference(time_step);
   if constexpr (D == 1)
     if (recipe_.face_ghosts) recipe_.face_ghosts->hide(records_);
   if (recipe_.transport && time_step > 0.0) {  // its densities come before any stress of the step
@@ -200,16 +212,22 @@ void Solver<D>::strain(double time_step) {
     });
     transport_densities();
     for_each_tile(
-        [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) { respond_tile(tile, scratch, report); });
+        [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) { respond_tile(tile, scratch, time_step, report); });
   } else {
     for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
       deform_tile(tile, scratch, time_step, report);
-      respond_tile(tile, scratch, report);
+      respond_tile(tile, scratch, time_step, report);
     });
   }
+  collect_strain_reports();
+}
+
+template <int D>
+void Solver<D>::collect_strain_reports() {
   step_limit_ = std::numeric_limits<double>::max();
   for (const auto& report : reports_) {
     ledger_.plastic_work += report.plastic_work;
+    ledger_.viscous_loss += report.bulk_viscous_loss;
     ledger_.uncorrected += report.uncorrected;
     if (report.step_limit < step_limit_) {
       step_limit_ = report.step_limit;
@@ -241,9 +259,12 @@ void Solver<D>::deform_tile(const Tile& tile, Scratch& scratch, double time_step
 
 /// Stress and what follows from it, from the new densities and deviators.
 template <int D>
-void Solver<D>::respond_tile(const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+void Solver<D>::respond_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
   const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];
   body.eos->update(tile.range, scratch.sound_speed.data());
+  if (recipe_.bulk_viscosity && time_step > 0.0)
+    report.bulk_viscous_loss = recipe_.bulk_viscosity->update(tile.range, scratch.per_particle.data(),
+                                                              scratch.sound_speed.data(), time_step);
   for (const auto& force : recipe_.forces) force->pack(tile.range, records_);
   pack_limit_and_check(tile, scratch.sound_speed.data(), report);
 }
@@ -292,5 +313,8 @@ template void Solver<3>::advance(double);
 template void Solver<1>::strain(double);
 template void Solver<2>::strain(double);
 template void Solver<3>::strain(double);
+template void Solver<1>::collect_strain_reports();
+template void Solver<2>::collect_strain_reports();
+template void Solver<3>::collect_strain_reports();
 
 }  // namespace anvil

@@ -26,6 +26,7 @@ class Momentum final : public ForceTerm<D> {
         mass_((fields.require(field::mass), fields.scalar(field::mass))),
         density_((fields.require(field::density), fields.scalar(field::density))),
         pressure_((fields.require(field::pressure), fields.scalar(field::pressure))),
+        viscous_pressure_(fields.has(field::viscous_pressure) ? fields.scalar(field::viscous_pressure).data() : nullptr),
         deviator_(fields.has(field::deviatoric_stress)
                       ? fields.vector<symmetric_components<D>>(field::deviatoric_stress).raw()
                       : nullptr) {}
@@ -45,9 +46,10 @@ class Momentum final : public ForceTerm<D> {
     for (std::size_t i = range.first(); i < range.last(); ++i) {
       double* record = records.traction[i];
       const double scale = form_ != MomentumForm::density_squared ? 1.0 : 1.0 / (density_[i] * density_[i]);
+      const double pressure = pressure_[i] + (viscous_pressure_ == nullptr ? 0.0 : viscous_pressure_[i]);
       for (std::size_t c = 0; c < components; ++c) {
         const double deviator = deviator_ == nullptr ? 0.0 : deviator_[i * components + c];
-        record[c] = scale * (c < D ? deviator - pressure_[i] : deviator);
+        record[c] = scale * (c < D ? deviator - pressure : deviator);
       }
       record[components] = form_ != MomentumForm::density_squared ? mass_[i] / density_[i] : mass_[i];
     }
@@ -64,7 +66,8 @@ class Momentum final : public ForceTerm<D> {
  private:
   MomentumForm form_;
   std::span<const double> mass_, density_, pressure_;
-  const double* deviator_;  // packed, or none in a fluid
+  const double* viscous_pressure_;  // or none
+  const double* deviator_;          // packed, or none in a fluid
 };
 
 }  // namespace anvil

@@ -9,24 +9,26 @@
 namespace anvil {
 namespace {
 
-constexpr double standoff = 0.5e-3;  // m: half the spacing of the particles
+constexpr double spacing = 1e-3;             // m, of the particles
+constexpr double standoff = 0.5 * spacing;  // m, of their centres from the faces of the body
 constexpr double time_step = 1e-6;   // s
 
 /// The velocity of one particle after the wall has corrected it.
 template <int D>
 Vec<D> corrected(const RigidWall<D>& wall, Vec<D> position, Vec<D> velocity) {
-  wall.correct_velocities({0, 1}, VectorView<D>(position.data()), VectorView<D>(velocity.data()), time_step);
+  wall.correct_velocities({0, 1}, VectorView<D>(position.data()), VectorView<D>(velocity.data()), standoff,
+                          time_step);
   return velocity;
 }
 
 TEST(RigidWall, StopsAFaceAtThePlane) {
-  const RigidWall<1> wall("wall", Vec<1>(0.0), Vec<1>(1.0), standoff);
+  const RigidWall<1> wall("wall", Vec<1>(0.0), Vec<1>(1.0), spacing);
   EXPECT_EQ(corrected<1>(wall, Vec<1>(standoff), Vec<1>(-10.0))[0], 0.0);
   EXPECT_EQ(corrected<1>(wall, Vec<1>(0.9 * standoff), Vec<1>(-10.0))[0], 0.0);
 }
 
 TEST(RigidWall, NeverPulls) {
-  const RigidWall<1> wall("wall", Vec<1>(0.0), Vec<1>(1.0), standoff);
+  const RigidWall<1> wall("wall", Vec<1>(0.0), Vec<1>(1.0), spacing);
   for (const double gap : {-0.2e-3, 0.0, 1e-9, 1e-3})
     EXPECT_EQ(corrected<1>(wall, Vec<1>(standoff + gap), Vec<1>(10.0))[0], 10.0) << "gap " << gap;
   // Nor does it touch one that comes, but not within this step.
@@ -34,7 +36,7 @@ TEST(RigidWall, NeverPulls) {
 }
 
 TEST(RigidWall, LeavesAsMuchApproachAsBringsTheFaceToThePlane) {
-  const RigidWall<1> wall("wall", Vec<1>(0.0), Vec<1>(1.0), standoff);
+  const RigidWall<1> wall("wall", Vec<1>(0.0), Vec<1>(1.0), spacing);
   const double gap = 4e-6;
   // Half the gap's distance per step is not corrected, twice is: to gap / time_step = 4 m/s. The gap is a difference of
   // numbers 100 times as large: 1e-13 of it is lost to rounding.
@@ -45,7 +47,7 @@ TEST(RigidWall, LeavesAsMuchApproachAsBringsTheFaceToThePlane) {
 TEST(RigidWall, ChangesOnlyThePartOfVelocityAlongAnObliqueNormal) {
   const Vec<3> normal = Vec<3>(1.0, 2.0, -2.0) / 3.0;
   const Vec<3> point(0.1, -0.2, 0.3);
-  const RigidWall<3> wall("wall", point, normal, standoff);
+  const RigidWall<3> wall("wall", point, normal, spacing);
   const Vec<3> tangential = normal.cross(Vec<3>(20.0, 5.0, 7.0));
   const Vec<3> after = corrected<3>(wall, point + standoff * normal, tangential - 100.0 * normal);
   // Positions of 0.1 m are rounded to 1e-17 m, which is 1e-11 m/s in a step of 1e-6 s.
@@ -54,7 +56,7 @@ TEST(RigidWall, ChangesOnlyThePartOfVelocityAlongAnObliqueNormal) {
 
 TEST(RigidWall, LetsNoFaceOfManyPassAndPushesOnlyAlongTheNormal) {
   const Vec<2> normal(0.6, 0.8), point(1e-3, -2e-3);
-  const RigidWall<2> wall("wall", point, normal, standoff);
+  const RigidWall<2> wall("wall", point, normal, spacing);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   int pushed = 0;
@@ -75,10 +77,17 @@ TEST(RigidWall, LetsNoFaceOfManyPassAndPushesOnlyAlongTheNormal) {
 }
 
 TEST(RigidWall, ForbidsWhatLiesBehindThePlane) {
-  const RigidWall<2> wall("wall", Vec<2>(0.0, 1.0), Vec<2>(0.0, 1.0), standoff);
+  const RigidWall<2> wall("wall", Vec<2>(0.0, 1.0), Vec<2>(0.0, 1.0), spacing);
   EXPECT_FALSE(wall.forbids(Vec<2>(5.0, 1.0)));
   EXPECT_FALSE(wall.forbids(Vec<2>(5.0, 1.1)));
   EXPECT_TRUE(wall.forbids(Vec<2>(5.0, 0.9999)));
+}
+
+TEST(RigidWall, LetsParticlesStandOnThePlane) {
+  const RigidWall<2> wall("wall", Vec<2>(0.0, 1.0), Vec<2>(0.6, 0.8), spacing);
+  const Vec<2> on_the_plane = Vec<2>(0.0, 1.0) + 0.3 * Vec<2>(-0.8, 0.6);
+  EXPECT_FALSE(wall.forbids(on_the_plane - 1e-15 * Vec<2>(0.6, 0.8)));
+  EXPECT_TRUE(wall.forbids(on_the_plane - 2e-9 * Vec<2>(0.6, 0.8)));
 }
 
 }  // namespace

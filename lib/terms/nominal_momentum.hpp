@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "anvil/core/field_keys.hpp"
+#include "anvil/materials/strain_state.hpp"
+#include "anvil/pairs/pair_loops.hpp"
+#include "anvil/terms/force_term.hpp"
+#include "anvil/total_lagrangian/deformation.hpp"
+#include "anvil/total_lagrangian/edge_points.hpp"
+
+namespace anvil {
+
+/// Acceleration by stress in the reference configuration: a_i = (1/rho0) sum_j V_j (P_i B_i + P_j B_j) grad_ij with the
+/// nominal (first Piola-Kirchhoff) stress P = sigma cof F and the corrections B (Bonet and Lok 1999; Ganzenmueller
+/// 2015). It is the adjoint of the deformation gradient's sum: pair forces are antisymmetric, and what the stress
+/// takes from the motion is what deforms the particles. Sums do not join bodies, so 1/rho0 stands in the records.
+template <int D>
+class NominalMomentum final : public ForceTerm<D> {
+ public:
+  /// With edges they give the deviatoric part.
+  NominalMomentum(FieldStore& fields, const Deformation<D>& deformation, const EdgePoints<D>* edges)
+      : deformation_(deformation),
+        edges_(edges),
+        pressure_((fields.require(field::pressure), fields.scalar(field::pressure))),
+        viscous_pressure_(fields.has(field::viscous_pressure) ? fields.scalar(field::viscous_pressure).data() : nullptr),
+        deviator_(edges == nullptr && fields.has(field::deviatoric_stress)
+                      ? fields.vector<StrainState::components>(field::deviatoric_stress).raw()
+                      : nullptr) {}
+
+  [[nodiscard]] std::string_view name() const override { return "momentum"; }
+  [[nodiscard]] std::string_view purpose() const override {
+    return "acceleration by nominal stress, V_i V_j (P_i + P_j) in the reference configuration";
+  }
+  [[nodiscard]] PairNeeds needs() const override { return {.plain_gradient = true}; }
+
+  void pack(ParticleRange range, PairRecords<D>& records) const override {
+    for (std::size_t i = range.first(); i < range.last(); ++i) {
+      const double pressure = pressure_[i] + (viscous_pressure_ == nullptr ? 0.0 : viscous_pressure_[i]);
+      Square<D> stress = Square<D>::Identity() * -pressure;
+      if (deviator_ != nullptr)
+        stress += StrainState::deviator(deviator_ + i * StrainState::components).template topLeftCorner<D, D>();
+      Square<D> nominal = stress * cofactor<D>(deformation_.gradient(i));
+      if (edges_ != nullptr) {
+        Square<D> sum = Square<D>::Zero();
+        edges_->add_nominal_stress(i, sum);
+        nominal += sum / deformation_.volume(i);
+      }
+      double* record = records.nominal[i];
+      SquareMap<D>(record).noalias() = nominal * deformation_.correction(i) / deformation_.reference_density(i);
+      record[D * D] = deformation_.volume(i);
+    }
+  }
+
+  void accumulate(const PairTile<D>& tile, const PairRecords<D>& records, double* acceleration,
+                  double* /*loss*/) const override {
+    pair_loops<D>().nominal_momentum(tile, records, acceleration);
+  }
+
+ private:
+  using StrainState = typename StrainStateOf<D>::Type;
+  const Deformation<D>& deformation_;
+  const EdgePoints<D>* edges_;
+  std::span<const double> pressure_;
+  const double* viscous_pressure_;
+  const double* deviator_;  // packed, or none
+};
+
+}  // namespace anvil

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "anvil/total_lagrangian/edge_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "anvil/core/field_keys.hpp"
+#include "anvil/materials/strain_state.hpp"
+#include "anvil/pairs/neighbour_list.hpp"
+
+namespace anvil {
+
+template <int D>
+EdgePoints<D>::EdgePoints(FieldStore& particles, const std::vector<ParticleRange>& bodies, double spacing)
+    : position_(particles.vector<D>(field::position)),
+      velocity_(particles.vector<D>(field::velocity)),
+      initial_position_(particles.vector<D>(field::initial_position)),
+      mass_(particles.scalar(field::mass)),
+      density_(particles.scalar(field::density)) {
+  find_edges(bodies, spacing);
+  list_incidences();
+  share_volumes();
+}
+
+template <int D>
+void EdgePoints<D>::find_edges(const std::vector<ParticleRange>& bodies, double spacing) {
+  constexpr double longest = 1.1;  // spacings: between an edge and the diagonal of a cell's face
+  const std::size_t particles = mass_.size();
+  std::vector<std::int32_t> body_of(particles);
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    std::fill(body_of.begin() + bodies[b].begin, body_of.begin() + bodies[b].end, static_cast<std::int32_t>(b));
+  NeighbourList<D> near;
+  near.build(initial_position_, std::vector<double>(particles, spacing), longest, 0.0, pair_loops<D>());
+  for (std::size_t i = 0; i < particles; ++i) {
+    first_edge_.push_back(static_cast<std::int32_t>(edges_.size()));
+    for (std::int64_t k = near.row_begin(i); k < near.row_end(i); ++k) {
+      const auto j = static_cast<std::size_t>(near.neighbours()[k]);
+      if (j <= i || j >= particles || body_of[i] != body_of[j]) continue;
+      const Vec<D> apart = initial_position_[i] - initial_position_[j];
+      edges_.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), apart.normalized(), apart.norm(), 0.0});
+    }
+  }
+  first_edge_.push_back(static_cast<std::int32_t>(edges_.size()));
+}
+
+template <int D>
+void EdgePoints<D>::list_incidences() {
+  first_incidence_.assign(mass_.size() + 1, 0);
+  for (const Edge& edge : edges_)
+    for (const std::int32_t end : {edge.first, edge.second}) ++first_incidence_[static_cast<std::size_t>(end) + 1];
+  for (std::size_t i = 1; i < first_incidence_.size(); ++i) first_incidence_[i] += first_incidence_[i - 1];
+  incidences_.resize(2 * edges_.size());
+  std::vector<std::int32_t> next(first_incidence_.begin(), first_incidence_.end() - 1);
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const auto place = [&](std::int32_t end) {
+      return static_cast<std::size_t>(next[static_cast<std::size_t>(end)]++);
+    };
+    incidences_[place(edges_[e].first)] = {static_cast<std::int32_t>(e), 1.0};
+    incidences_[place(edges_[e].second)] = {static_cast<std::int32_t>(e), -1.0};
+  }
+}
+
+template <int D>
+void EdgePoints<D>::share_volumes() {
+  fields_ = FieldStore(edges_.size());
+  for (const FieldKey* key : {&field::mass, &field::density}) fields_.require(*key);
+  fields_.require(field::deviatoric_stress, StrainStateOf<D>::Type::components);
+  const auto share = [&](std::int32_t end) {
+    const auto i = static_cast<std::size_t>(end);
+    return mass_[i] / density_[i] / (first_incidence_[i + 1] - first_incidence_[i]);
+  };
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    const double density = density_[static_cast<std::size_t>(edges_[e].first)];
+    edges_[e].volume = share(edges_[e].first) + share(edges_[e].second);
+    fields_.scalar(field::density)[e] = density;
+    fields_.scalar(field::mass)[e] = density * edges_[e].volume;
+  }
+  nominal_.assign(edges_.size() * D * D, 0.0);
+  edge_density_ = fields_.scalar(field::density).data();
+  deviator_ = fields_.vector<StrainStateOf<D>::Type::components>(field::deviatoric_stress).raw();
+}
+
+template <int D>
+void EdgePoints<D>::deform(ParticleRange edges, const Deformation<D>& particles, double time_step,
+                           double* velocity_gradients) {
+  const double half_step = 0.5 * time_step;
+  for (std::size_t e = edges.first(); e < edges.last(); ++e, velocity_gradients += D * D) {
+    const Edge& edge = edges_[e];
+    const auto i = static_cast<std::size_t>(edge.first), j = static_cast<std::size_t>(edge.second);
+    const Square<D> mean = 0.5 * (particles.gradient(i) + particles.gradient(j));
+    const Square<D> mean_rate = 0.5 * (particles.rate(i) + particles.rate(j));
+    const Vec<D> along = (position_[i] - position_[j]) / edge.length - mean * edge.direction;
+    const Vec<D> along_rate = (velocity_[i] - velocity_[j]) / edge.length - mean_rate * edge.direction;
+    const Square<D> f = mean + along * edge.direction.transpose();
+    const Square<D> rate = mean_rate + along_rate * edge.direction.transpose();
+    const Square<D> middle = f - half_step * rate;
+    const Square<D> cofactor_of_middle = cofactor<D>(middle), cofactor_of_f = cofactor<D>(f);
+    SquareMap<D> gradient(velocity_gradients), pulled(&nominal_[e * D * D]);
+    gradient.noalias() = rate * cofactor_of_middle.transpose() / determinant<D>(middle, cofactor_of_middle);
+    pulled = cofactor_of_f;
+    edge_density_[e] = particles.reference_density(i) / determinant<D>(f, cofactor_of_f);
+  }
+}
+
+template <int D>
+void EdgePoints<D>::pull_back(ParticleRange edges) {
+  using StrainState = typename StrainStateOf<D>::Type;
+  for (std::size_t e = edges.first(); e < edges.last(); ++e) {
+    const Tensor full = StrainState::deviator(deviator_ + e * StrainState::components);
+    const Square<D> deviator = full.template topLeftCorner<D, D>();
+    SquareMap<D> nominal(&nominal_[e * D * D]);
+    nominal = edges_[e].volume * (deviator * nominal).eval();
+  }
+}
+
+template <int D>
+void EdgePoints<D>::add_nominal_stress(std::size_t i, Square<D>& sum) const {
+  for (std::int32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
+    const auto e = static_cast<std::size_t>(incidences_[static_cast<std::size_t>(k)].edge);
+    const ConstSquareMap<D> nominal(&nominal_[e * D * D]);
+    const Vec<D>& direction = edges_[e].direction;
+    const Vec<D> along = nominal * direction;
+    sum += 0.5 * nominal;
+    sum -= 0.5 * along * direction.transpose();
+  }
+}
+
+template <int D>
+void EdgePoints<D>::accumulate(const PairTile<D>& tile, const PairRecords<D>& /*records*/, double* acceleration,
+                               double* /*loss*/) const {
+  for (auto i = static_cast<std::size_t>(tile.begin); i < static_cast<std::size_t>(tile.end); ++i, acceleration += D) {
+    Vec<D> force = Vec<D>::Zero();
+    for (std::int32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
+      const Incidence& incidence = incidences_[static_cast<std::size_t>(k)];
+      const auto e = static_cast<std::size_t>(incidence.edge);
+      force -= incidence.sign / edges_[e].length * (ConstSquareMap<D>(&nominal_[e * D * D]) * edges_[e].direction);
+    }
+    Eigen::Map<Vec<D>> own(acceleration);
+    own += force / mass_[i];
+  }
+}
+
+template <int D>
+std::vector<double> EdgePoints<D>::mean_at_particles(const FieldKey& key) const {
+  const auto field = std::find_if(fields_.fields().begin(), fields_.fields().end(),
+                                  [&](const auto& one) { return one.key->name == key.name; });
+  const auto components = static_cast<std::size_t>(field->components);
+  std::vector<double> mean(mass_.size() * components, 0.0);
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    double volume = 0.0;
+    for (std::int32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
+      const auto e = static_cast<std::size_t>(incidences_[static_cast<std::size_t>(k)].edge);
+      volume += edges_[e].volume;
+      for (std::size_t c = 0; c < components; ++c)
+        mean[i * components + c] += edges_[e].volume * field->values[e * components + c];
+    }
+    if (volume == 0.0) continue;
+    for (std::size_t c = 0; c < components; ++c) mean[i * components + c] /= volume;
+  }
+  return mean;
+}
+
+template <int D>
+double EdgePoints<D>::doubles_per_particle() const {
+  double bytes = static_cast<double>(edges_.size() * sizeof(Edge) + incidences_.size() * sizeof(Incidence)) +
+                 static_cast<double>(sizeof(double) * nominal_.size());
+  for (const auto& field : fields_.fields()) bytes += static_cast<double>(sizeof(double) * field.values.size());
+  return mass_.empty() ? 0.0 : bytes / static_cast<double>(sizeof(double) * mass_.size());
+}
+
+template class EdgePoints<1>;
+template class EdgePoints<2>;
+template class EdgePoints<3>;
+
+}  // namespace anvil

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "anvil/core/fields.hpp"
+#include "anvil/core/particle_range.hpp"
+#include "anvil/terms/force_term.hpp"
+#include "anvil/total_lagrangian/deformation.hpp"
+
+namespace anvil {
+
+/// Stress points on the edges of a lattice of particles, against the motions that gradients at particles do not see.
+/// The deformation gradient of an edge is the mean of its two ends with the part along the edge replaced by the exact
+/// one, F_e = (F_i + F_j)/2 (I - N N^T) + x_ij N^T / |X_ij| with N = X_ij / |X_ij|. Each edge carries the strength law's
+/// state for the volume V_e = V_i/n_i + V_j/n_j, n the number of edges at a particle; pressure stays on the particles,
+/// where fewer points mean no locking. Forces are the adjoint of F_e: momentum and angular momentum close.
+/// Nothing in it is to be chosen.
+template <int D>
+class EdgePoints final : public ForceTerm<D> {
+ public:
+  /// Edges join particles of one body at a distance of about `spacing` (m), measured where they start.
+  EdgePoints(FieldStore& particles, const std::vector<ParticleRange>& bodies, double spacing);
+
+  /// Mass, density and what strength laws require, by edge.
+  [[nodiscard]] FieldStore& fields() { return fields_; }
+  [[nodiscard]] const FieldStore& fields() const { return fields_; }
+  /// The edges whose first end lies in a range of particles; consecutive ranges have consecutive edges.
+  [[nodiscard]] ParticleRange edges_from(ParticleRange particles) const {
+    return {first_edge_[particles.first()], first_edge_[particles.last()]};
+  }
+
+  /// Density and cofactor of the edges of the range, and their velocity gradients in the middle of a step of time_step
+  /// (s) that has just ended, D x D per edge of the range, 1/s.
+  void deform(ParticleRange edges, const Deformation<D>& particles, double time_step, double* velocity_gradients);
+  /// Takes the edges' new deviators to the reference configuration.
+  void pull_back(ParticleRange edges);
+  /// Adds to `sum` (D x D) the nominal stress of the edges at particle i times their volume.
+  void add_nominal_stress(std::size_t i, Square<D>& sum) const;
+  /// Mean over the edges at each particle of a field of the edges, its components side by side.
+  [[nodiscard]] std::vector<double> mean_at_particles(const FieldKey& key) const;
+
+  [[nodiscard]] std::string_view name() const override { return "edge_stress_points"; }
+  [[nodiscard]] std::string_view purpose() const override { return "deviatoric stress along the edges of the lattice"; }
+  [[nodiscard]] PairNeeds needs() const override { return {}; }
+  void pack(ParticleRange /*range*/, PairRecords<D>& /*records*/) const override {}
+  void accumulate(const PairTile<D>& tile, const PairRecords<D>& records, double* acceleration,
+                  double* loss) const override;
+  [[nodiscard]] double doubles_per_particle() const;
+
+ private:
+  struct Edge {
+    std::int32_t first, second;
+    Vec<D> direction;  // N, from the second end to the first
+    double length;     // |X_ij|, m
+    double volume;     // V_e
+  };
+  struct Incidence {
+    std::int32_t edge;
+    double sign;  // +1 at the first end, -1 at the second
+  };
+  void find_edges(const std::vector<ParticleRange>& bodies, double spacing);
+  void list_incidences();
+  void share_volumes();
+
+  VectorView<D> position_, velocity_, initial_position_;
+  std::span<const double> mass_, density_;
+  std::vector<std::int32_t> first_edge_;  // by first end
+  std::vector<Edge> edges_;
+  std::vector<std::int32_t> first_incidence_;
+  std::vector<Incidence> incidences_;
+  std::vector<double> nominal_;  // D x D per edge: cof F_e, then V_e s cof F_e
+  FieldStore fields_{0};
+  double* edge_density_ = nullptr;
+  const double* deviator_ = nullptr;
+};
+
+}  // namespace anvil
