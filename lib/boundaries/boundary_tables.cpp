@@ -16,7 +16,18 @@ std::span<const EntryKind> boundary_kinds() {
                  .help = "a point of the plane"},
                 {.name = "normal",
                  .kind = ValueKind::vector,
-                 .help = "direction from the wall to the bodies, of any length but zero"}}},
+                 .help = "direction from the wall to the bodies, of any length but zero"},
+                {.name = "contact",
+                 .kind = ValueKind::choice,
+                 .standard = "impulse",
+                 .help = "impulse stops what would pass the plane within the step, and loses the energy of its approach; "
+                         "penalty, in total_lagrangian, pushes with the depth behind the plane and gives back what it "
+                         "takes",
+                 .choices = {"impulse", "penalty"}},
+                {.name = "stiffness",
+                 .standard = 1.0,
+                 .range = Range::positive,
+                 .help = "of a penalty, over that of a layer of particles, (K + 4G/3)/spacing of the stiffest material"}}},
       pressure_kind(),
   };
   return kinds;

@@ -103,13 +103,15 @@ Vec<D> component_vector(const std::vector<double>& numbers) {
 /// Walls are solid behind their plane: a body may touch it, not start beyond it.
 template <int D>
 void check_walls(const Scene& scene, const BodyDescription& body, const Shape<D>& shape, Contradictions& found) {
+  const Mat<D> rotation = rotation_of<D>(body);
   for (const auto& boundary : scene.boundaries) {
     if (boundary.entry.type != "rigid_wall") continue;
     const Vec<D> normal = component_vector<D>(boundary.entry.parameters.numbers("normal"));
     if (normal.norm() == 0.0) continue;
     const Vec<D> inward = normal.normalized();
     const Vec<D> point = component_vector<D>(boundary.entry.parameters.numbers("point"));
-    const double depth = shape.reach(-inward) - inward.dot(shape.centre() - point);
+    const Vec<D> inward_of_shape = rotation.transpose() * inward;
+    const double depth = shape.reach(-inward_of_shape) - inward_of_shape.dot(shape.centre()) + inward.dot(point);
     const double tolerance = 1e-6 * scene.discretisation.spacing;  // as for the fit of the sides
     if (depth > tolerance)
       found.push_back(
@@ -178,6 +180,10 @@ void check_method(const Scene& scene, Contradictions& found) {
 void check_total_lagrangian(const Scene& scene, Contradictions& found) {
   const auto refuse = [&](const char* key, const std::string& sentence) { found.push_back({key, sentence}); };
   if (scene.discretisation.method != "total_lagrangian") {
+    for (const auto& boundary : scene.boundaries)
+      if (boundary.entry.type == "rigid_wall" && boundary.entry.parameters.text("contact") == "penalty")
+        found.push_back({fmt::format("boundary.{}.contact", boundary.name),
+                         "penalty follows the faces of the method total_lagrangian; use impulse"});
     if (scene.stabiliser.method != "none")
       refuse("stabiliser.method", fmt::format("{} belongs to the method total_lagrangian, whose lattice never changes",
                                               scene.stabiliser.method));
@@ -196,8 +202,26 @@ void check_total_lagrangian(const Scene& scene, Contradictions& found) {
     refuse("stabiliser.conservative_smoothing",
            "it averages over the present neighbours, and total_lagrangian keeps those of the start; use "
            "stabiliser.method");
+  const bool all_on_faces = std::all_of(scene.bodies.begin(), scene.bodies.end(),
+                                        [](const auto& body) { return body.lattice == "face_lattice"; });
+  if (scene.bodies.size() > 1 && !all_on_faces)
+    refuse("discretisation.method",
+           "total_lagrangian bodies meet by their faces; give each of them lattice = \"face_lattice\"");
   if (scene.domain.strain_state == "uniaxial_stress")
     refuse("domain.strain_state", "total_lagrangian has no uniaxial stress; use kernel_gradient_correction or cspm");
+}
+
+void check_rotations(const Scene& scene, Contradictions& found) {
+  const int dimension = scene.domain.dimension;
+  const std::size_t wanted = dimension == 3 ? 3 : static_cast<std::size_t>(dimension - 1);
+  for (const auto& body : scene.bodies) {
+    if (body.rotation.empty() || body.rotation.size() == wanted) continue;
+    found.push_back({fmt::format("body.{}.rotation", body.name),
+                     dimension == 1 ? std::string("there is nothing to turn in 1D; leave the key out")
+                                    : fmt::format("in {}D it takes {}, not {}", dimension,
+                                                  wanted == 1 ? "one angle" : "three numbers, axis times angle",
+                                                  body.rotation.size())});
+  }
 }
 
 void check_normals(const Scene& scene, Contradictions& found) {
@@ -270,6 +294,7 @@ std::vector<Contradiction> find_contradictions(const Scene& scene) {
   check_pressures(scene, found);
   check_method(scene, found);
   check_total_lagrangian(scene, found);
+  check_rotations(scene, found);
   check_neighbours(scene, found);
   check_speeds(scene, found);
   if (scene.domain.dimension == 1) check_bodies<1>(scene, found);

@@ -63,8 +63,9 @@ template <int D>
 bool bodies_overlap(const BodyDescription& first, const BodyDescription& second, double spacing) {
   const auto first_shape = make_shape<D>(first.shape);
   const auto second_shape = make_shape<D>(second.shape);
-  if (!surrounding_boxes_overlap<D>(*first_shape, *second_shape, spacing)) return false;
-  if (is_box<D>(*first_shape) && is_box<D>(*second_shape)) return true;
+  const bool turned_alike = first.rotation == second.rotation;
+  if (turned_alike && !surrounding_boxes_overlap<D>(*first_shape, *second_shape, spacing)) return false;
+  if (turned_alike && is_box<D>(*first_shape) && is_box<D>(*second_shape)) return true;
   const auto placed = place_body<D>(first, spacing);
   const Cells<D> cells(placed.positions, 0.5 * spacing);
   for (const auto& position : place_body<D>(second, spacing).positions)

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numeric>
 
@@ -52,51 +53,149 @@ Vec<D> lattice_offset(const std::array<long long, D>& halves, const std::array<l
   return offset;
 }
 
+template <int D>
+using Index = std::array<long long, D>;
+
+/// The cells along each axis whose middles lie in the shape.
+template <int D>
+class FilledCells {
+ public:
+  FilledCells(const Shape<D>& shape, const Index<D>& cells, double spacing)
+      : shape_(shape), cells_(cells), spacing_(spacing) {}
+  [[nodiscard]] Vec<D> middle(Index<D> cell) const {
+    for (auto& along : cell) along = 2 * along + 1;
+    return lattice_offset<D>(cell, cells_, spacing_);
+  }
+  [[nodiscard]] bool contains(const Index<D>& cell) const {
+    for (std::size_t axis = 0; axis < D; ++axis)
+      if (cell[axis] < 0 || cell[axis] >= cells_[axis]) return false;
+    return shape_.contains(middle(cell));
+  }
+  /// Calls visit(axis, upper) for each side on which a cell of the shape ends it.
+  template <class Visit>
+  void for_each_open_side(const Index<D>& cell, Visit&& visit) const {
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      for (const bool upper : {false, true}) {
+        auto beyond = cell;
+        beyond[axis] += upper ? 1 : -1;
+        if (!contains(beyond)) visit(axis, upper);
+      }
+    }
+  }
+
+ private:
+  const Shape<D>& shape_;
+  Index<D> cells_;
+  double spacing_;
+};
+
 /// One particle in the middle of each cell of the shape.
 template <int D>
-PlacedBody<D> fill_cells(const Shape<D>& shape, const std::array<long long, D>& cells, double spacing) {
+PlacedBody<D> fill_cells(const Shape<D>& shape, const Index<D>& cells, double spacing) {
   PlacedBody<D> placed;
-  for_each_index<D>(cells, [&](std::array<long long, D> index) {
-    for (auto& along : index) along = 2 * along + 1;
-    const Vec<D> offset = lattice_offset<D>(index, cells, spacing);
-    if (shape.contains(offset)) placed.positions.push_back(offset);
+  const FilledCells<D> filled(shape, cells, spacing);
+  const double area = std::pow(spacing, D - 1);
+  for_each_index<D>(cells, [&](const Index<D>& cell) {
+    if (!filled.contains(cell)) return;
+    filled.for_each_open_side(cell, [&](std::size_t axis, bool upper) {
+      const Vec<D> outward = (upper ? 0.5 : -0.5) * spacing * Vec<D>::Unit(static_cast<int>(axis));
+      placed.surface.push_back({static_cast<std::int32_t>(placed.positions.size()), outward, area});
+    });
+    placed.positions.push_back(filled.middle(cell));
   });
   placed.volumes.assign(placed.positions.size(), 1.0);
   return placed;
 }
 
-/// One particle on each corner of a cell of the shape, with an equal share of every cell that it belongs to.
+/// Numbers of the corners of the cells, the last axis fastest.
 template <int D>
-PlacedBody<D> share_cells(const Shape<D>& shape, const std::array<long long, D>& cells, double spacing) {
-  auto corners = cells;
+std::size_t corner_number(const Index<D>& corner, const Index<D>& cells) {
+  std::size_t flat = 0;
+  for (std::size_t axis = 0; axis < D; ++axis)
+    flat = flat * static_cast<std::size_t>(cells[axis] + 1) + static_cast<std::size_t>(corner[axis]);
+  return flat;
+}
+
+/// The corners of the face in which a cell ends along an axis, in the order of Facet.
+template <int D>
+std::array<Index<D>, D == 3 ? 4 : (D == 2 ? 2 : 1)> face_corners(const Index<D>& cell, std::size_t axis, bool upper) {
+  Index<D> base = cell;
+  if (upper) ++base[axis];
+  if constexpr (D == 1) {
+    return {base};
+  } else if constexpr (D == 2) {
+    Index<D> other = base;
+    ++other[1 - axis];
+    // Along +y the outside of an upper face across x is on the right, along +x that of a lower face across y.
+    if (upper == (axis == 0)) return {base, other};
+    return {other, base};
+  } else {
+    const std::size_t first = (axis + 1) % 3, second = (axis + 2) % 3;  // first x second = axis
+    std::array<Index<D>, 4> corners{base, base, base, base};
+    ++corners[upper ? 1 : 3][first];
+    ++corners[2][first];
+    ++corners[2][second];
+    ++corners[upper ? 3 : 1][second];
+    return corners;
+  }
+}
+
+/// Gives each particle its part of the facets it is a corner of.
+template <int D>
+void share_facets(PlacedBody<D>& placed, double spacing) {
+  constexpr std::size_t corners = D == 1 ? 1 : Facet<D>{}.size();
+  std::vector<double> area(placed.positions.size(), 0.0);
+  for (const Facet<D>& facet : placed.facets)
+    for (std::size_t k = 0; k < corners; ++k)
+      area[static_cast<std::size_t>(facet[k])] += std::pow(spacing, D - 1) / static_cast<double>(corners);
+  for (std::size_t i = 0; i < area.size(); ++i)
+    if (area[i] > 0.0) placed.surface.push_back({static_cast<std::int32_t>(i), Vec<D>::Zero(), area[i]});
+}
+
+/// One particle on each corner of a cell of the shape, with an equal share of every cell that it belongs to, and the
+/// faces between cells of the shape and the outside.
+template <int D>
+PlacedBody<D> share_cells(const Shape<D>& shape, const Index<D>& cells, double spacing) {
+  const FilledCells<D> filled(shape, cells, spacing);
+  Index<D> corners = cells;
   for (auto& count : corners) ++count;
-  const auto number = [&](const std::array<long long, D>& index) {
-    std::size_t flat = 0;
-    for (std::size_t axis = 0; axis < D; ++axis)
-      flat = flat * static_cast<std::size_t>(corners[axis]) + static_cast<std::size_t>(index[axis]);
-    return flat;
-  };
   std::size_t all = 1;
   for (const long long count : corners) all *= static_cast<std::size_t>(count);
   std::vector<double> share(all, 0.0);
-  for_each_index<D>(cells, [&](const std::array<long long, D>& cell) {
-    auto middle = cell;
-    for (auto& along : middle) along = 2 * along + 1;
-    if (!shape.contains(lattice_offset<D>(middle, cells, spacing))) return;
+  struct Face {
+    Index<D> cell;
+    std::size_t axis;
+    bool upper;
+  };
+  std::vector<Face> faces;
+  for_each_index<D>(cells, [&](const Index<D>& cell) {
+    if (!filled.contains(cell)) return;
     for (unsigned corner = 0; corner < 1U << D; ++corner) {
       auto index = cell;
       for (std::size_t axis = 0; axis < D; ++axis) index[axis] += corner >> axis & 1U;
-      share[number(index)] += 1.0 / (1U << D);
+      share[corner_number<D>(index, cells)] += 1.0 / (1U << D);
     }
+    filled.for_each_open_side(cell, [&](std::size_t axis, bool upper) { faces.push_back({cell, axis, upper}); });
   });
   PlacedBody<D> placed;
-  for_each_index<D>(corners, [&](std::array<long long, D> index) {
-    const double volume = share[number(index)];
-    if (volume == 0.0) return;
+  std::vector<std::int32_t> particle_at(all, -1);
+  for_each_index<D>(corners, [&](Index<D> index) {
+    const std::size_t number = corner_number<D>(index, cells);
+    if (share[number] == 0.0) return;
+    particle_at[number] = static_cast<std::int32_t>(placed.positions.size());
     for (auto& along : index) along *= 2;
     placed.positions.push_back(lattice_offset<D>(index, cells, spacing));
-    placed.volumes.push_back(volume);
+    placed.volumes.push_back(share[number]);
   });
+  for (const Face& face : faces) {
+    Facet<D> facet{};
+    if constexpr (D == 1) facet[1] = face.upper ? 1 : -1;
+    std::size_t next = 0;
+    for (const auto& corner : face_corners<D>(face.cell, face.axis, face.upper))
+      facet[next++] = particle_at[corner_number<D>(corner, cells)];
+    placed.facets.push_back(facet);
+  }
+  share_facets(placed, spacing);
   return placed;
 }
 
@@ -112,9 +211,32 @@ PlacedBody<D> place_body(const BodyDescription& body, double spacing) {
     throw InputError(fmt::format("body '{}' holds no particle at a spacing of {} m", body.name, spacing));
   const double scale = shape->volume() / std::accumulate(placed.volumes.begin(), placed.volumes.end(), 0.0);
   for (double& volume : placed.volumes) volume *= scale;
-  for (Vec<D>& position : placed.positions) position += shape->centre();
+  const Mat<D> rotation = rotation_of<D>(body);
+  const bool turned = !body.rotation.empty();
+  for (Vec<D>& position : placed.positions) {
+    position += shape->centre();
+    if (turned) position = (rotation * position).eval();
+  }
+  if (turned)
+    for (auto& point : placed.surface) point.offset = (rotation * point.offset).eval();
   return placed;
 }
+
+template <int D>
+Mat<D> rotation_of(const BodyDescription& body) {
+  Mat<D> rotation = Mat<D>::Identity();
+  if (body.rotation.empty()) return rotation;
+  if constexpr (D == 2) rotation = Eigen::Rotation2D<double>(body.rotation[0]).toRotationMatrix();
+  if constexpr (D == 3) {
+    const Vec<3> turn(body.rotation.data());
+    if (turn.norm() > 0.0) rotation = Eigen::AngleAxis<double>(turn.norm(), turn.normalized()).toRotationMatrix();
+  }
+  return rotation;
+}
+
+template Mat<1> rotation_of<1>(const BodyDescription&);
+template Mat<2> rotation_of<2>(const BodyDescription&);
+template Mat<3> rotation_of<3>(const BodyDescription&);
 
 template std::array<long long, 1> count_cells<1>(const Shape<1>&, double);
 template std::array<long long, 2> count_cells<2>(const Shape<2>&, double);

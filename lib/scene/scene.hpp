@@ -102,6 +102,7 @@ struct BodyDescription {
   std::string name;
   TypedEntry shape;
   std::string lattice;
+  std::vector<double> rotation;  // rad, about the origin: axis times angle in 3D, one angle in 2D; empty: none
   std::string material;
   std::vector<double> velocity;  // m/s, `dimension` components
   bool operator==(const BodyDescription&) const = default;

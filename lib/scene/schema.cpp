@@ -219,6 +219,13 @@ Section<BodyDescription> body_section() {
                 "corners of the cells, so the outermost lie on the faces with half of a volume",
             .choices = {"cubic", "face_lattice"}},
            &BodyDescription::lattice},
+          {{.name = "rotation",
+            .kind = ValueKind::numbers,
+            .unit = "rad",
+            .standard = std::vector<double>{},
+            .help = "turns the shape and its lattice about the origin: in 3D the axis times the angle, in 2D one angle; "
+                    "velocity and boundaries stay as they are given"},
+           &BodyDescription::rotation},
           {{.name = "material",
             .kind = ValueKind::name,
             .help = "name of a [material.NAME] of the scene or of a bundled material"},

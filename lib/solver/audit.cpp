@@ -31,6 +31,7 @@ double Solver<D>::elastic_energy() const {
   double energy = 0.0;
   for (const auto& body : recipe_.bodies)
     energy += body.strength->elastic_energy(body.strength_range) + body.eos->elastic_energy(body.range);
+  for (const auto* penalty : recipe_.wall_penalties) energy += penalty->energy();
   return energy;
 }
 
@@ -71,7 +72,8 @@ std::vector<AuditValue> Solver<D>::audit() const {
   }
   const double kinetic = kinetic_energy(), elastic = elastic_energy();
   const double total =
-      kinetic + elastic + ledger_.plastic_work + ledger_.viscous_loss + ledger_.smoothing_loss + ledger_.wall_loss;
+      kinetic + elastic + ledger_.plastic_work + ledger_.viscous_loss + ledger_.smoothing_loss + ledger_.wall_loss +
+      ledger_.contact_loss;
   const Vec<D> present = momentum();
   const Vec<D> unexplained =
       present - ledger_.start_momentum - ledger_.wall_impulse - ledger_.smoothing_impulse - ledger_.pressure_impulse;
@@ -86,6 +88,10 @@ std::vector<AuditValue> Solver<D>::audit() const {
   row.push_back({"viscous_loss", "J", ledger_.viscous_loss});
   row.push_back({"smoothing_loss", "J", ledger_.smoothing_loss});
   row.push_back({"wall_loss", "J", ledger_.wall_loss});
+  if (recipe_.contact) {
+    row.push_back({"contact_loss", "J", ledger_.contact_loss});
+    row.push_back({"contact_penetration", "m", recipe_.contact->deepest_penetration()});
+  }
   row.push_back({"total_energy", "J", total});
   row.push_back({"energy_error", "J", total - ledger_.start_energy - ledger_.pressure_work});
   add_vector<D>(row, "wall_impulse", "N s", ledger_.wall_impulse);

@@ -21,6 +21,7 @@ Explanation Solver<D>::explain() const {
   for (const auto& filter : recipe_.filters) add(filter->name(), filter->purpose());
   if (recipe_.transport)
     add("flux_corrected_transport", "spreads and gathers velocities, then densities, along the line");
+  if (recipe_.contact) add("contact", "bodies push each other where their faces meet, without friction");
   for (const auto& boundary : recipe_.boundaries) add(boundary->name(), boundary->purpose());
   if (recipe_.bulk_viscosity) add("bulk_viscosity", "pressure against the rate of compression");
   if (recipe_.deformation)

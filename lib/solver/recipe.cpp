@@ -92,6 +92,7 @@ void add_boundaries(const Scene& scene, Recipe<D>& recipe) {
       throw InputError("boundary '" + boundary.name + "' has type '" + boundary.entry.type +
                        "', which no solver knows");
     const Parameters& parameters = boundary.entry.parameters;
+    if (parameters.text("contact") == "penalty") continue;
     recipe.boundaries.push_back(std::make_unique<RigidWall<D>>(boundary.name, vector_of<D>(parameters.numbers("point")),
                                                                vector_of<D>(parameters.numbers("normal")).normalized(),
                                                                scene.discretisation.spacing));
@@ -129,6 +130,49 @@ void add_line_terms(const Scene& scene, const std::vector<ParticleRange>& ranges
   for (const auto& body : scene.bodies) reference_density.push_back(material_of(scene, body).density);
   recipe.transport =
       std::make_unique<LineTransport>(fields, order, ranges, reference_density, recipe.support, coefficients);
+}
+
+/// The surfaces that bodies meet with, numbered as their particles are.
+template <int D>
+std::vector<Surface<D>> surfaces_of(const Scene& scene, const std::vector<ParticleRange>& ranges) {
+  std::vector<Surface<D>> surfaces(scene.bodies.size());
+  for (std::size_t b = 0; b < surfaces.size(); ++b) {
+    Surface<D>& surface = surfaces[b];
+    surface.facets = place_body<D>(scene.bodies[b], scene.discretisation.spacing).facets;
+    for (Facet<D>& facet : surface.facets)
+      for (std::size_t k = 0; k < (D == 1 ? 1 : facet.size()); ++k) {
+        facet[k] += ranges[b].begin;
+        surface.particles.push_back(facet[k]);
+      }
+    std::sort(surface.particles.begin(), surface.particles.end());
+    surface.particles.erase(std::unique(surface.particles.begin(), surface.particles.end()), surface.particles.end());
+  }
+  return surfaces;
+}
+
+/// Walls whose force follows from the depth of faces behind them.
+template <int D>
+void add_wall_penalties(const Scene& scene, const std::vector<ParticleRange>& ranges, FieldStore& fields,
+                        Recipe<D>& recipe) {
+  const double spacing = scene.discretisation.spacing;
+  double stiffest = 0.0;  // Pa
+  for (const auto& material : scene.materials)
+    stiffest = std::max(stiffest, material.density * std::pow(elastic_wave_speed(material), 2));
+  for (const auto& boundary : scene.boundaries) {
+    const Parameters& parameters = boundary.entry.parameters;
+    if (boundary.entry.type != "rigid_wall" || parameters.text("contact") != "penalty") continue;
+    std::vector<SurfacePoint<D>> faces;
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+      for (SurfacePoint<D> point : place_body<D>(scene.bodies[b], spacing).surface) {
+        point.particle += ranges[b].begin;
+        faces.push_back(point);
+      }
+    auto penalty = std::make_unique<WallPenalty<D>>(
+        vector_of<D>(parameters.numbers("point")), vector_of<D>(parameters.numbers("normal")).normalized(),
+        parameters.number("stiffness") * stiffest / spacing, std::move(faces), fields, *recipe.deformation);
+    recipe.wall_penalties.push_back(penalty.get());
+    recipe.forces.push_back(std::move(penalty));
+  }
 }
 
 template <class Terms>
@@ -202,6 +246,10 @@ Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& rang
   if (edges) recipe.forces.push_back(std::move(edges));
   add_filters(scene, recipe);
   add_boundaries(scene, recipe);
+  add_wall_penalties(scene, ranges, fields, recipe);
+  if (recipe.deformation && scene.bodies.size() > 1)
+    recipe.contact =
+        std::make_unique<Contact<D>>(surfaces_of<D>(scene, ranges), fields, scene.discretisation.spacing);
   if constexpr (D == 1) add_line_terms(scene, ranges, fields, recipe);
   recipe.force_needs = needs_of(recipe.forces);
   recipe.filter_needs = needs_of(recipe.filters);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "anvil/boundaries/boundary.hpp"
+#include "anvil/boundaries/contact.hpp"
 #include "anvil/boundaries/face_ghosts.hpp"
 #include "anvil/kernels/kernel.hpp"
 #include "anvil/materials/lateral_release.hpp"
@@ -15,6 +16,7 @@
 #include "anvil/terms/force_term.hpp"
 #include "anvil/terms/line_transport.hpp"
 #include "anvil/terms/velocity_filter.hpp"
+#include "anvil/terms/wall_penalty.hpp"
 #include "anvil/total_lagrangian/deformation.hpp"
 #include "anvil/total_lagrangian/edge_points.hpp"
 
@@ -47,6 +49,8 @@ struct Recipe {
   // Only in total Lagrangian scenes: the terms' gradients are then those of the start.
   std::unique_ptr<Deformation<D>> deformation;
   EdgePoints<D>* edges = nullptr;  // one of the forces
+  std::vector<const WallPenalty<D>*> wall_penalties;  // among the forces
+  std::unique_ptr<Contact<D>> contact;  // where sums do not join bodies
   // Only in one dimension, where particles form a line with two ends.
   std::vector<PressureLoad> loads;
   std::unique_ptr<FaceGhosts> face_ghosts;

@@ -37,6 +37,7 @@ struct Ledger {
   double viscous_loss = 0.0;                  // J
   double smoothing_loss = 0.0;                // J
   double wall_loss = 0.0;                     // J
+  double contact_loss = 0.0;                  // J
   Vec<D> smoothing_impulse = Vec<D>::Zero();  // N s
   Vec<D> wall_impulse = Vec<D>::Zero();       // N s
   Vec<D> pressure_impulse = Vec<D>::Zero();   // N s

@@ -12,7 +12,8 @@ namespace {
 template <int D>
 std::vector<double> ledger_numbers(const Ledger<D>& ledger) {
   std::vector<double> numbers = {ledger.plastic_work, ledger.viscous_loss,  ledger.smoothing_loss, ledger.wall_loss,
-                                 ledger.start_energy, ledger.pressure_work, ledger.uncorrected};
+                                 ledger.start_energy, ledger.pressure_work, ledger.uncorrected,
+                                 ledger.contact_loss};
   for (const Vec<D>* vector :
        {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse, &ledger.start_momentum})
     numbers.insert(numbers.end(), vector->data(), vector->data() + D);
@@ -29,7 +30,8 @@ Ledger<D> ledger_from(const std::vector<double>& numbers) {
   ledger.start_energy = numbers[4];
   ledger.pressure_work = numbers[5];
   ledger.uncorrected = numbers[6];
-  const double* next = numbers.data() + 7;
+  ledger.contact_loss = numbers[7];
+  const double* next = numbers.data() + 8;
   for (Vec<D>* vector :
        {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse, &ledger.start_momentum}) {
     for (int a = 0; a < D; ++a) (*vector)[a] = *next++;
@@ -76,7 +78,7 @@ void Solver<D>::restore(const State& state) {
       (void)numbers_of<double>(state, "edge/" + std::string(field.key->name), field.values.size());
   const auto& clock = numbers_of<double>(state, clock_name, 4);
   const auto& counts = numbers_of<std::int64_t>(state, counts_name, 3);
-  const auto& ledger = numbers_of<double>(state, ledger_name, 7 + 4 * D);
+  const auto& ledger = numbers_of<double>(state, ledger_name, 8 + 4 * D);
   const auto load = [&](const std::string& kind, FieldStore& store) {
     // The views of the terms point into the fields: their memory stays where it is.
     for (auto& field : store.fields()) {

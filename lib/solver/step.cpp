@@ -32,6 +32,7 @@ void Solver<D>::advance(double latest) {
   const double time_step = choose_time_step(latest);
   accelerate(0.5 * (time_step_ + time_step));  // leapfrog: from the middle of the last step to that of this one
   filter_velocities(time_step);
+  if (recipe_.contact) recipe_.contact->correct_velocities(time_step);
   move(time_step);
   refresh_neighbours();
   strain(time_step);
@@ -61,6 +62,7 @@ void Solver<D>::accelerate(double kick) {
       [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) { accelerate_tile(tile, scratch, kick, report); });
   kick_loaded_faces();
   for (const auto& report : reports_) ledger_.viscous_loss += report.viscous_loss;
+  for (const auto* penalty : recipe_.wall_penalties) ledger_.wall_impulse += kick * penalty->force();
 }
 
 template <int D>
@@ -118,8 +120,16 @@ void Solver<D>::filter_tile(const Tile& tile, const VelocityFilter<D>& filter, S
 
 template <int D>
 void Solver<D>::move(double time_step) {
-  for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+  const auto keep_in_bounds = [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
     if (!recipe_.boundaries.empty()) apply_boundaries(tile, scratch, time_step, report);
+  };
+  if (recipe_.contact) {
+    for_each_tile(keep_in_bounds);
+    // Pairs frozen at the start leave the velocities of before the kick in the records until here.
+    ledger_.contact_loss += recipe_.contact->loss(records_.motion[0], PairRecords<D>::small);
+  }
+  for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+    if (!recipe_.contact) keep_in_bounds(tile, scratch, report);
     move_tile(tile, time_step, report);
     if (recipe_.deformation) return pack_motion(tile.range);
     pack_geometry(tile.range);

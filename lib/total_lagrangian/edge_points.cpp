@@ -75,7 +75,8 @@ void EdgePoints<D>::share_volumes() {
     fields_.scalar(field::density)[e] = density;
     fields_.scalar(field::mass)[e] = density * edges_[e].volume;
   }
-  nominal_.assign(edges_.size() * D * D, 0.0);
+  share_.assign(edges_.size() * D * D, 0.0);
+  pull_.assign(edges_.size() * D, 0.0);
   edge_density_ = fields_.scalar(field::density).data();
   deviator_ = fields_.vector<StrainStateOf<D>::Type::components>(field::deviatoric_stress).raw();
 }
@@ -95,7 +96,7 @@ void EdgePoints<D>::deform(ParticleRange edges, const Deformation<D>& particles,
     const Square<D> rate = mean_rate + along_rate * edge.direction.transpose();
     const Square<D> middle = f - half_step * rate;
     const Square<D> cofactor_of_middle = cofactor<D>(middle), cofactor_of_f = cofactor<D>(f);
-    SquareMap<D> gradient(velocity_gradients), pulled(&nominal_[e * D * D]);
+    SquareMap<D> gradient(velocity_gradients), pulled(&share_[e * D * D]);
     gradient.noalias() = rate * cofactor_of_middle.transpose() / determinant<D>(middle, cofactor_of_middle);
     pulled = cofactor_of_f;
     edge_density_[e] = particles.reference_density(i) / determinant<D>(f, cofactor_of_f);
@@ -108,8 +109,13 @@ void EdgePoints<D>::pull_back(ParticleRange edges) {
   for (std::size_t e = edges.first(); e < edges.last(); ++e) {
     const Tensor full = StrainState::deviator(deviator_ + e * StrainState::components);
     const Square<D> deviator = full.template topLeftCorner<D, D>();
-    SquareMap<D> nominal(&nominal_[e * D * D]);
-    nominal = edges_[e].volume * (deviator * nominal).eval();
+    SquareMap<D> share(&share_[e * D * D]);
+    const Square<D> nominal = edges_[e].volume * (deviator * share);
+    const Vec<D>& direction = edges_[e].direction;
+    const Vec<D> along = nominal * direction;
+    share = 0.5 * nominal - 0.5 * along * direction.transpose();
+    Eigen::Map<Vec<D>> pull(&pull_[e * D]);
+    pull = along / edges_[e].length;
   }
 }
 
@@ -117,11 +123,7 @@ template <int D>
 void EdgePoints<D>::add_nominal_stress(std::size_t i, Square<D>& sum) const {
   for (std::int32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
     const auto e = static_cast<std::size_t>(incidences_[static_cast<std::size_t>(k)].edge);
-    const ConstSquareMap<D> nominal(&nominal_[e * D * D]);
-    const Vec<D>& direction = edges_[e].direction;
-    const Vec<D> along = nominal * direction;
-    sum += 0.5 * nominal;
-    sum -= 0.5 * along * direction.transpose();
+    sum += ConstSquareMap<D>(&share_[e * D * D]);
   }
 }
 
@@ -132,8 +134,7 @@ void EdgePoints<D>::accumulate(const PairTile<D>& tile, const PairRecords<D>& /*
     Vec<D> force = Vec<D>::Zero();
     for (std::int32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
       const Incidence& incidence = incidences_[static_cast<std::size_t>(k)];
-      const auto e = static_cast<std::size_t>(incidence.edge);
-      force -= incidence.sign / edges_[e].length * (ConstSquareMap<D>(&nominal_[e * D * D]) * edges_[e].direction);
+      force -= incidence.sign * Eigen::Map<const Vec<D>>(&pull_[static_cast<std::size_t>(incidence.edge) * D]);
     }
     Eigen::Map<Vec<D>> own(acceleration);
     own += force / mass_[i];
@@ -163,7 +164,7 @@ std::vector<double> EdgePoints<D>::mean_at_particles(const FieldKey& key) const 
 template <int D>
 double EdgePoints<D>::doubles_per_particle() const {
   double bytes = static_cast<double>(edges_.size() * sizeof(Edge) + incidences_.size() * sizeof(Incidence)) +
-                 static_cast<double>(sizeof(double) * nominal_.size());
+                 static_cast<double>(sizeof(double) * (share_.size() + pull_.size()));
   for (const auto& field : fields_.fields()) bytes += static_cast<double>(sizeof(double) * field.values.size());
   return mass_.empty() ? 0.0 : bytes / static_cast<double>(sizeof(double) * mass_.size());
 }

@@ -35,7 +35,7 @@ class EdgePoints final : public ForceTerm<D> {
   void deform(ParticleRange edges, const Deformation<D>& particles, double time_step, double* velocity_gradients);
   /// Takes the edges' new deviators to the reference configuration.
   void pull_back(ParticleRange edges);
-  /// Adds to `sum` (D x D) the nominal stress of the edges at particle i times their volume.
+  /// Adds to `sum` (D x D) what the edges at particle i add to its nominal stress, times its volume.
   void add_nominal_stress(std::size_t i, Square<D>& sum) const;
   /// Mean over the edges at each particle of a field of the edges, its components side by side.
   [[nodiscard]] std::vector<double> mean_at_particles(const FieldKey& key) const;
@@ -69,7 +69,9 @@ class EdgePoints final : public ForceTerm<D> {
   std::vector<Edge> edges_;
   std::vector<std::int32_t> first_incidence_;
   std::vector<Incidence> incidences_;
-  std::vector<double> nominal_;  // D x D per edge: cof F_e, then V_e s cof F_e
+  // Of each edge, D x D: cof F_e, then V_e P_e (I - N N^T)/2 with P_e = s cof F_e, the share of each end; and the force
+  // V_e P_e N/|X| that pulls its first end back.
+  std::vector<double> share_, pull_;
   FieldStore fields_{0};
   double* edge_density_ = nullptr;
   const double* deviator_ = nullptr;

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "anvil/core/fields.hpp"
+#include "anvil/scene/placement.hpp"
+
+namespace anvil {
+
+/// The surface of a body whose particles stand on its faces, by numbers of particles of the scene.
+template <int D>
+struct Surface {
+  std::vector<std::int32_t> particles;
+  std::vector<Facet<D>> facets;
+};
+
+/// Contact without friction between bodies whose particles stand on their faces. A particle on one surface and the
+/// facet of the other that it meets exchange the impulse that leaves as much of their approach as closes the gap within
+/// the step, no more: as a rigid wall does, which is the case of an infinitely heavy partner. Facets act through the
+/// weights of their corners at the closest point, so linear and angular momentum are kept. Impulses push, never pull;
+/// they are found together by sweeps over all contacts until none changes (projected Gauss-Seidel; Moreau 1988).
+template <int D>
+class Contact {
+ public:
+  /// Surfaces of all bodies, one each; `spacing` of the particles, m.
+  Contact(std::vector<Surface<D>> surfaces, FieldStore& fields, double spacing);
+
+  /// Changes velocities so that a move of time_step (s) lets no particle through a facet.
+  void correct_velocities(double time_step);
+
+  /// What the contacts of the last correction took from the motion, J, given the velocities of before all impulses of
+  /// the step (`stride` doubles apart) and the present ones, which are those after all of them.
+  [[nodiscard]] double loss(const double* start_velocity, int stride) const;
+  /// Of a particle behind the facet it meets, at the present positions, m.
+  [[nodiscard]] double deepest_penetration();
+
+ private:
+  struct Meeting {
+    std::int32_t particle;
+    Facet<D> facet;
+    std::array<double, Facet<D>{}.size()> weight;
+    Vec<D> normal;  // of the facet, outward
+    double gap;     // m, along the normal
+    double compliance, impulse;
+  };
+  struct Closest {
+    Vec<D> point;
+    std::array<double, Facet<D>{}.size()> weight;
+  };
+
+  void find_meetings();
+  void meet(const Surface<D>& points, const Surface<D>& facets);
+  bool touches(std::int32_t particle, const Facet<D>& facet, Meeting& meeting) const;
+  [[nodiscard]] Closest closest_on(const Facet<D>& facet, const Vec<D>& place) const;
+  [[nodiscard]] Vec<D> normal_of(const Facet<D>& facet) const;
+  void push(const Meeting& meeting, double impulse);
+  [[nodiscard]] double approach(const Meeting& meeting) const;
+
+  std::vector<Surface<D>> surfaces_;
+  VectorView<D> position_, velocity_;
+  std::span<const double> mass_;
+  double reach_, side_tolerance_;  // m
+  std::vector<Meeting> meetings_;
+};
+
+}  // namespace anvil
