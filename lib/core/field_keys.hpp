@@ -17,6 +17,7 @@ inline constexpr FieldKey pressure{"pressure", "Pa", "from the equation of state
 inline constexpr FieldKey deviatoric_stress{"deviatoric_stress", "Pa", "its independent components, tension positive"};
 inline constexpr FieldKey back_stress{"back_stress", "Pa", "centre of the yield surface (kinematic hardening)"};
 inline constexpr FieldKey plastic_strain{"plastic_strain", "", "accumulated equivalent plastic strain"};
+inline constexpr FieldKey plastic_dilation{"plastic_dilation", "", "accumulated plastic volume strain"};
 inline constexpr FieldKey listed_position{"listed_position", "m", "position when the neighbour list was made"};
 inline constexpr FieldKey listed_smoothing_length{"listed_smoothing_length", "m", "h when the neighbour list was made"};
 

@@ -5,6 +5,7 @@
 #include "anvil/pairs/correction_loop.hpp"
 #include "anvil/pairs/gradient_loop.hpp"
 #include "anvil/pairs/pair_loops.hpp"
+#include "anvil/terms/laminar_viscosity_loop.hpp"
 #include "anvil/terms/momentum_loop.hpp"
 #include "anvil/terms/smoothing_loop.hpp"
 #include "anvil/terms/velocity_gradient_loop.hpp"
@@ -31,6 +32,7 @@ constexpr PairLoops<D> table() {
           .momentum = &sum_momentum<D, false>,
           .stress_difference = &sum_momentum<D, true>,
           .viscosity = &sum_viscosity<D>,
+          .laminar_viscosity = &sum_laminar_viscosity<D>,
           .plain_smoothing = &sum_plain_smoothing<D>,
           .pairwise_smoothing = &sum_pairwise_smoothing<D>};
 }

@@ -42,6 +42,7 @@ struct PairLoops {
   void (*stress_difference)(const PairTile<D>&, const PairRecords<D>&, const double* divisor, double* acceleration);
   void (*viscosity)(const PairTile<D>&, const PairRecords<D>&, const ViscosityCoefficients&, double* acceleration,
                     double* heating);
+  void (*laminar_viscosity)(const PairTile<D>&, const PairRecords<D>&, double* acceleration, double* heating);
   void (*plain_smoothing)(const PairTile<D>&, const PairRecords<D>&, double* change);
   void (*pairwise_smoothing)(const PairTile<D>&, const PairRecords<D>&, double* change);
 };

@@ -45,9 +45,9 @@ struct PairRecords {
   Records<small> geometry;  // position, smoothing length
   Records<small> motion;    // velocity, volume
   Records<large> traction;  // tensor T, weight w: what the momentum sum reads
-  Records<4> medium;        // sound speed, density, mass
+  Records<4> medium;        // sound speed, density, mass, viscosity
 
-  /// Room for images of particles (see FaceGhosts) behind the padding record; those of before are gone.
+  /// Room for images of particles (see Images, FaceGhosts) behind the padding record; those of before are gone.
   void set_images(std::size_t images) {
     const std::size_t own = particles_ + 1;
     geometry.keep(own, own + images);
@@ -57,6 +57,9 @@ struct PairRecords {
     medium.keep(own, own + images);
     for (std::size_t g = 0; g < images; ++g) medium[own + g][1] = 1.0;  // a density to divide by; their mass stays zero
   }
+
+  /// The record of the first image.
+  [[nodiscard]] std::size_t first_image() const { return particles_ + 1; }
 
   /// All records zero but those of the padding.
   void resize(std::size_t particles, bool with_medium);

@@ -9,6 +9,7 @@
 
 #include "anvil/boundaries/pressure.hpp"
 #include "anvil/core/error.hpp"
+#include "anvil/scene/boundary_checks.hpp"
 #include "anvil/scene/overlap.hpp"
 #include "anvil/scene/placement.hpp"
 #include "anvil/scene/problems.hpp"
@@ -104,7 +105,7 @@ Vec<D> component_vector(const std::vector<double>& numbers) {
 template <int D>
 void check_walls(const Scene& scene, const BodyDescription& body, const Shape<D>& shape, Contradictions& found) {
   for (const auto& boundary : scene.boundaries) {
-    if (boundary.entry.type != "rigid_wall") continue;
+    if (boundary.entry.type != "rigid_wall" && boundary.entry.type != "symmetry_plane") continue;
     const Vec<D> normal = component_vector<D>(boundary.entry.parameters.numbers("normal"));
     if (normal.norm() == 0.0) continue;
     const Vec<D> inward = normal.normalized();
@@ -242,12 +243,14 @@ std::vector<Contradiction> find_contradictions(const Scene& scene) {
   check_times(scene, found);
   check_normals(scene, found);
   check_pressures(scene, found);
+  check_planes_and_periods(scene, found);
   check_method(scene, found);
   check_neighbours(scene, found);
   check_speeds(scene, found);
   if (scene.domain.dimension == 1) check_bodies<1>(scene, found);
   if (scene.domain.dimension == 2) check_bodies<2>(scene, found);
   if (scene.domain.dimension == 3) check_bodies<3>(scene, found);
+  if (found.empty()) check_dummy_walls(scene, found);  // needs bodies that can be placed
   return found;
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <random>
 
 #include "anvil/core/error.hpp"
 
@@ -44,6 +45,10 @@ PlacedBody<D> place_body(const BodyDescription& body, double spacing) {
       if (!more) index[axis] = 0;
     }
   }
+  std::mt19937 random(1);  // whose numbers are the same everywhere
+  for (std::size_t i = 0; body.jitter > 0.0 && i < placed.positions.size(); ++i)
+    for (int axis = 0; axis < D; ++axis)
+      placed.positions[i][axis] += body.jitter * spacing * (static_cast<double>(random()) * 0x1p-31 - 1.0);
   if (placed.positions.empty())
     throw InputError(fmt::format("body '{}' holds no particle at a spacing of {} m", body.name, spacing));
   placed.volumes.assign(placed.positions.size(), shape->volume() / static_cast<double>(placed.positions.size()));

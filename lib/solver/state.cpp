@@ -12,9 +12,10 @@ namespace {
 template <int D>
 std::vector<double> ledger_numbers(const Ledger<D>& ledger) {
   std::vector<double> numbers = {ledger.plastic_work, ledger.viscous_loss,  ledger.smoothing_loss, ledger.wall_loss,
-                                 ledger.start_energy, ledger.pressure_work, ledger.uncorrected};
-  for (const Vec<D>* vector :
-       {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse, &ledger.start_momentum})
+                                 ledger.start_energy, ledger.pressure_work, ledger.uncorrected,    ledger.gravity_work,
+                                 ledger.wall_work,    ledger.penetrations};
+  for (const Vec<D>* vector : {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse,
+                               &ledger.gravity_impulse, &ledger.start_momentum})
     numbers.insert(numbers.end(), vector->data(), vector->data() + D);
   return numbers;
 }
@@ -29,9 +30,12 @@ Ledger<D> ledger_from(const std::vector<double>& numbers) {
   ledger.start_energy = numbers[4];
   ledger.pressure_work = numbers[5];
   ledger.uncorrected = numbers[6];
-  const double* next = numbers.data() + 7;
-  for (Vec<D>* vector :
-       {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse, &ledger.start_momentum}) {
+  ledger.gravity_work = numbers[7];
+  ledger.wall_work = numbers[8];
+  ledger.penetrations = numbers[9];
+  const double* next = numbers.data() + 10;
+  for (Vec<D>* vector : {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse,
+                         &ledger.gravity_impulse, &ledger.start_momentum}) {
     for (int a = 0; a < D; ++a) (*vector)[a] = *next++;
   }
   return ledger;
@@ -70,7 +74,7 @@ void Solver<D>::restore(const State& state) {
     (void)numbers_of<double>(state, "field/" + std::string(field.key->name), field.values.size());
   const auto& clock = numbers_of<double>(state, clock_name, 4);
   const auto& counts = numbers_of<std::int64_t>(state, counts_name, 3);
-  const auto& ledger = numbers_of<double>(state, ledger_name, 7 + 4 * D);
+  const auto& ledger = numbers_of<double>(state, ledger_name, 10 + 5 * D);
   const auto load = [&](const FieldKey& key, std::vector<double>& values) {
     // The views of the terms point into the fields: their memory stays where it is.
     const auto& stored = numbers_of<double>(state, "field/" + std::string(key.name), values.size());
