@@ -6,30 +6,34 @@
 
 namespace anvil {
 
+namespace {
+
+/// A kind that is a plane, with what it asks besides.
+EntryKind plane_kind(std::string_view type, std::string_view summary, std::string_view normal,
+                     const std::vector<Key>& more = {}) {
+  EntryKind kind{.type = type,
+                 .summary = summary,
+                 .keys = {{.name = "point",
+                           .kind = ValueKind::vector,
+                           .unit = "m",
+                           .standard = std::vector<double>{0.0},
+                           .help = "a point of the plane"},
+                          {.name = "normal", .kind = ValueKind::vector, .help = normal}}};
+  kind.keys.insert(kind.keys.end(), more.begin(), more.end());
+  return kind;
+}
+
+}  // namespace
+
 std::span<const EntryKind> boundary_kinds() {
   static const std::vector<EntryKind> kinds = [] {
     std::vector<EntryKind> all = {
-        {.type = "rigid_wall",
-         .summary = "An immovable plane without friction that pushes and never pulls",
-         .keys = {{.name = "point",
-                   .kind = ValueKind::vector,
-                   .unit = "m",
-                   .standard = std::vector<double>{0.0},
-                   .help = "a point of the plane"},
-                  {.name = "normal",
-                   .kind = ValueKind::vector,
-                   .help = "direction from the wall to the bodies, of any length but zero"}}},
-        {.type = "symmetry_plane",
-         .summary = "A plane of symmetry: images of the particles stand behind it, and no particle crosses it",
-         .keys = {{.name = "point",
-                   .kind = ValueKind::vector,
-                   .unit = "m",
-                   .standard = std::vector<double>{0.0},
-                   .help = "a point of the plane"},
-                  {.name = "normal",
-                   .kind = ValueKind::vector,
-                   .help = "direction from the plane to the bodies, of any length but zero; planes meet at angles that "
-                           "divide 180 degrees"}}},
+        plane_kind("rigid_wall", "An immovable plane without friction that pushes and never pulls",
+                   "direction from the wall to the bodies, of any length but zero"),
+        plane_kind("symmetry_plane",
+                   "A plane of symmetry: images of the particles stand behind it, and no particle crosses it",
+                   "direction from the plane to the bodies, of any length but zero; planes meet at angles that divide "
+                   "180 degrees"),
         {.type = "periodic",
          .summary = "The scene repeats along an axis: what leaves at one end enters at the other",
          .keys = {{.name = "axis",
@@ -39,32 +43,16 @@ std::span<const EntryKind> boundary_kinds() {
                    .choices = {"x", "y", "z"}},
                   {.name = "min", .unit = "m", .help = "lower end of the period"},
                   {.name = "max", .unit = "m", .help = "upper end of the period"}}},
-        {.type = "mirror_wall",
-         .summary = "Mirror images behind a plane, which nothing else keeps particles from crossing",
-         .keys = {{.name = "point",
-                   .kind = ValueKind::vector,
-                   .unit = "m",
-                   .standard = std::vector<double>{0.0},
-                   .help = "a point of the plane"},
-                  {.name = "normal",
-                   .kind = ValueKind::vector,
-                   .help = "direction from the wall to the bodies, of any length but zero"},
-                  {.name = "slip",
-                   .kind = ValueKind::flag,
-                   .standard = true,
-                   .help =
-                       "whether images keep the velocity along the plane; else they move against their particles"}}},
-        {.type = "inflow",
-         .summary = "What waits behind a plane is pushed through it",
-         .keys = {{.name = "point",
-                   .kind = ValueKind::vector,
-                   .unit = "m",
-                   .standard = std::vector<double>{0.0},
-                   .help = "a point of the plane"},
-                  {.name = "normal",
-                   .kind = ValueKind::vector,
-                   .help = "direction of the flow, of any length but zero"},
-                  {.name = "speed", .unit = "m/s", .range = Range::positive, .help = "speed along the normal"}}},
+        plane_kind("mirror_wall", "Mirror images behind a plane, which nothing else keeps particles from crossing",
+                   "direction from the wall to the bodies, of any length but zero",
+                   {{.name = "slip",
+                     .kind = ValueKind::flag,
+                     .standard = true,
+                     .help = "whether images keep the velocity along the plane; else they move against their "
+                             "particles"}}),
+        plane_kind("inflow", "What waits behind a plane is pushed through it",
+                   "direction of the flow, of any length but zero",
+                   {{.name = "speed", .unit = "m/s", .range = Range::positive, .help = "speed along the normal"}}),
         pressure_kind(),
     };
     for (const EntryKind& kind : dummy_wall_kinds()) all.push_back(kind);
