@@ -57,6 +57,7 @@ class DummyRows {
             std::size_t particles);
   /// Particles with a dummy of the first row in their list, and the records of those.
   [[nodiscard]] const std::vector<std::int32_t>& near_particles() const { return near_; }
+  [[nodiscard]] std::size_t listed_particles() const { return first_.size() - 1; }
   [[nodiscard]] std::span<const std::int32_t> dummies_near(std::size_t particle) const {
     return {record_.data() + first_[particle], record_.data() + first_[particle + 1]};
   }
@@ -72,7 +73,7 @@ class DummyRows {
   WallVelocity velocity_;
   bool interpolates_;
   std::vector<std::int32_t> near_, record_;
-  std::vector<std::int64_t> first_;
+  std::vector<std::int64_t> first_ = {0};
 };
 
 template <int D>

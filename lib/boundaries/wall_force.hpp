@@ -42,7 +42,7 @@ class WallForce final : public WallForceTerm<D> {
 
   void accumulate(const PairTile<D>& tile, const PairRecords<D>& records, double* acceleration,
                   double* /*loss*/) const override {
-    const auto particles = static_cast<std::int32_t>(wall_.range().first());
+    const auto particles = static_cast<std::int32_t>(wall_.listed_particles());  // dummies of walls come behind
     for (std::int32_t i = tile.begin; i < tile.end && i < particles; ++i)
       Eigen::Map<Vec<D>>(acceleration + (i - tile.begin) * D) += of_particle(static_cast<std::size_t>(i), records);
   }
