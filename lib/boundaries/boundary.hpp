@@ -30,6 +30,8 @@ class Boundary {
                                   double face_distance, double time_step) const = 0;
   /// True for a position that no particle may take.
   [[nodiscard]] virtual bool forbids(const Vec<D>& position) const = 0;
+  /// True where the boundary carries particles along without strain.
+  [[nodiscard]] virtual bool holds(const Vec<D>& /*position*/) const { return false; }
 
  private:
   std::string scene_name_;

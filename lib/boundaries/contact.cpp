@@ -69,7 +69,7 @@ Contact<D>::Contact(std::vector<Surface<D>> surfaces, FieldStore& fields, double
       side_tolerance_(0.05 * spacing) {}
 
 template <int D>
-Vec<D> Contact<D>::normal_of(const Facet<D>& facet) const {
+Vec<D> Contact<D>::normal_of(const BodyFacet<D>& facet) const {
   const auto at = [&](std::size_t corner) { return Vec<D>(position_[static_cast<std::size_t>(facet[corner])]); };
   if constexpr (D == 3) return (at(2) - at(0)).cross(at(3) - at(1)).normalized();
   if constexpr (D == 2) {
@@ -81,7 +81,7 @@ Vec<D> Contact<D>::normal_of(const Facet<D>& facet) const {
 
 /// A quadrilateral is taken as the four triangles around the mean of its corners: no diagonal is preferred.
 template <int D>
-typename Contact<D>::Closest Contact<D>::closest_on(const Facet<D>& facet, const Vec<D>& place) const {
+typename Contact<D>::Closest Contact<D>::closest_on(const BodyFacet<D>& facet, const Vec<D>& place) const {
   const auto at = [&](std::size_t corner) { return Vec<D>(position_[static_cast<std::size_t>(facet[corner])]); };
   Closest closest{};
   if constexpr (D == 1) {
@@ -109,26 +109,25 @@ typename Contact<D>::Closest Contact<D>::closest_on(const Facet<D>& facet, const
 }
 
 template <int D>
-bool Contact<D>::touches(std::int32_t particle, const Facet<D>& facet, Meeting& meeting) const {
+auto Contact<D>::meeting_of(std::int32_t particle, const BodyFacet<D>& facet) const -> std::optional<Meeting> {
   const Vec<D> place = position_[static_cast<std::size_t>(particle)];
   const Closest closest = closest_on(facet, place);
   const Vec<D> normal = normal_of(facet);
   const Vec<D> apart = place - closest.point;
   const double gap = normal.dot(apart);
-  if (std::abs(gap) > reach_ || (apart - gap * normal).norm() > side_tolerance_) return false;
+  if (std::abs(gap) > reach_ || (apart - gap * normal).norm() > side_tolerance_) return std::nullopt;
   double compliance = 1.0 / mass_[static_cast<std::size_t>(particle)];
   for (std::size_t k = 0; k < facet.size(); ++k)
     if (closest.weight[k] > 0.0)
       compliance += closest.weight[k] * closest.weight[k] / mass_[static_cast<std::size_t>(facet[k])];
-  meeting = {particle, facet, closest.weight, normal, gap, compliance, 0.0};
-  return true;
+  return Meeting{particle, facet, closest.weight, normal, gap, compliance, 0.0};
 }
 
 /// Each particle of one surface meets the nearest facet of the other within reach.
 template <int D>
 void Contact<D>::meet(const Surface<D>& points, const Surface<D>& facets) {
   using Entry = std::pair<Box<D>, std::size_t>;
-  constexpr std::size_t corners = D == 1 ? 1 : Facet<D>{}.size();
+  constexpr std::size_t corners = D == 1 ? 1 : BodyFacet<D>{}.size();
   std::vector<Entry> boxes;
   for (std::size_t f = 0; f < facets.facets.size(); ++f) {
     Vec<D> low = Vec<D>::Constant(std::numeric_limits<double>::max()), high = -low;
@@ -147,14 +146,12 @@ void Contact<D>::meet(const Surface<D>& points, const Surface<D>& facets) {
     tree.query(geometry::index::intersects(box_between<D>(place, place)), std::back_inserter(near));
     // By number, so that the first of equally near facets does not depend on the tree.
     std::sort(near.begin(), near.end(), [](const Entry& a, const Entry& b) { return a.second < b.second; });
-    Meeting nearest{}, meeting{};
-    bool found = false;
+    std::optional<Meeting> nearest;
     for (const Entry& entry : near) {
-      if (!touches(particle, facets.facets[entry.second], meeting)) continue;
-      if (!found || std::abs(meeting.gap) < std::abs(nearest.gap)) nearest = meeting;
-      found = true;
+      const std::optional<Meeting> meeting = meeting_of(particle, facets.facets[entry.second]);
+      if (meeting && (!nearest || std::abs(meeting->gap) < std::abs(nearest->gap))) nearest = meeting;
     }
-    if (found) meetings_.push_back(nearest);
+    if (nearest) meetings_.push_back(*nearest);
   }
 }
 

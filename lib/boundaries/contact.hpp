@@ -3,7 +3,7 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "anvil/core/fields.hpp"
@@ -15,7 +15,7 @@ namespace anvil {
 template <int D>
 struct Surface {
   std::vector<std::int32_t> particles;
-  std::vector<Facet<D>> facets;
+  std::vector<BodyFacet<D>> facets;
 };
 
 /// Contact without friction between bodies whose particles stand on their faces. A particle on one surface and the
@@ -41,22 +41,22 @@ class Contact {
  private:
   struct Meeting {
     std::int32_t particle;
-    Facet<D> facet;
-    std::array<double, Facet<D>{}.size()> weight;
+    BodyFacet<D> facet;
+    std::array<double, BodyFacet<D>{}.size()> weight;
     Vec<D> normal;  // of the facet, outward
     double gap;     // m, along the normal
     double compliance, impulse;
   };
   struct Closest {
     Vec<D> point;
-    std::array<double, Facet<D>{}.size()> weight;
+    std::array<double, BodyFacet<D>{}.size()> weight;
   };
 
   void find_meetings();
   void meet(const Surface<D>& points, const Surface<D>& facets);
-  bool touches(std::int32_t particle, const Facet<D>& facet, Meeting& meeting) const;
-  [[nodiscard]] Closest closest_on(const Facet<D>& facet, const Vec<D>& place) const;
-  [[nodiscard]] Vec<D> normal_of(const Facet<D>& facet) const;
+  [[nodiscard]] std::optional<Meeting> meeting_of(std::int32_t particle, const BodyFacet<D>& facet) const;
+  [[nodiscard]] Closest closest_on(const BodyFacet<D>& facet, const Vec<D>& place) const;
+  [[nodiscard]] Vec<D> normal_of(const BodyFacet<D>& facet) const;
   void push(const Meeting& meeting, double impulse);
   [[nodiscard]] double approach(const Meeting& meeting) const;
 

@@ -37,7 +37,7 @@ bool FaceGhosts::open(const Face& face) const {
 }
 
 /// Both ends of the line, and both sides of every gap that is open or could be before the next list is made.
-void FaceGhosts::find_faces(double skin) {
+void FaceGhosts::find_faces(double skin, const NeighbourList<1>& neighbours) {
   faces_.clear();
   face_place_.clear();
   const auto add = [&](std::size_t place, std::int32_t beyond, double outward) {
@@ -53,8 +53,13 @@ void FaceGhosts::find_faces(double skin) {
     const auto is_face = [&](std::int32_t other) {
       return gap_to(other) >= 0.0 && std::abs(position_[at(other)] - position_[at(order_[k])]) > 1.5 * spacing;
     };
-    if (k == 0 || is_face(order_[k - 1])) add(k, k == 0 ? -1 : order_[k - 1], -1.0);
-    if (k + 1 == order_.size() || is_face(order_[k + 1])) add(k, k + 1 == order_.size() ? -1 : order_[k + 1], 1.0);
+    const std::int32_t* row = neighbours.neighbours();
+    const std::size_t self = at(order_[k]);
+    const bool meets_image = std::any_of(row + neighbours.row_begin(self), row + neighbours.row_end(self),
+                                         [&](std::int32_t j) { return at(j) > order_.size(); });
+    if (k == 0 ? !meets_image : is_face(order_[k - 1])) add(k, k == 0 ? -1 : order_[k - 1], -1.0);
+    if (k + 1 == order_.size() ? !meets_image : is_face(order_[k + 1]))
+      add(k, k + 1 == order_.size() ? -1 : order_[k + 1], 1.0);
   }
 }
 
@@ -67,28 +72,29 @@ void FaceGhosts::add_ghosts_of(std::int32_t f, std::size_t place, double skin, s
   const auto inner = [&](std::size_t steps) { return face.outward > 0.0 ? place - steps : place + steps; };
   const std::size_t available = face.outward > 0.0 ? place + 1 : order_.size() - place;
   for (std::size_t s = 0; s < available && depth(inner(s)) + depth(place) < limit; ++s) {
-    const auto record = static_cast<std::int32_t>(order_.size() + 1 + ghosts_.size());
+    const auto record = static_cast<std::int32_t>(first_ghost_ + ghosts_.size());
     ghosts_.push_back({order_[inner(s)], f});
     for (std::size_t t = 0; t < available && depth(inner(s)) + depth(inner(t)) < limit; ++t)
       extra.push_back({order_[inner(t)], record});
   }
 }
 
-void FaceGhosts::list(NeighbourList<1>& neighbours, PairRecords<1>& records, double skin) {
-  find_faces(skin);
+void FaceGhosts::list(NeighbourList<1>& neighbours, PairRecords<1>& records, double skin, std::size_t images) {
+  find_faces(skin, neighbours);
+  first_ghost_ = records.first_image() + images;
   ghosts_.clear();
   std::vector<ExtraNeighbour> extra;
   for (std::size_t f = 0; f < faces_.size(); ++f)
     add_ghosts_of(static_cast<std::int32_t>(f), face_place_[f], skin, extra);
   neighbours.append(extra);
-  records.set_images(ghosts_.size());
+  records.set_images(images + ghosts_.size());
 }
 
 void FaceGhosts::show(PairRecords<1>& records, std::span<const PressureLoad> loads,
                       std::span<const double> face_stress) const {
   for (std::size_t g = 0; g < ghosts_.size(); ++g) {
     const Face& face = faces_[at(ghosts_[g].face)];
-    const std::size_t source = at(ghosts_[g].particle), image = order_.size() + 1 + g;
+    const std::size_t source = at(ghosts_[g].particle), image = first_ghost_ + g;
     double stress = 0.0;
     for (std::size_t k = 0; k < loads.size(); ++k)
       if (loads[k].particle == at(face.particle) && loads[k].inward == -face.outward) stress = face_stress[k];
@@ -104,7 +110,7 @@ void FaceGhosts::show(PairRecords<1>& records, std::span<const PressureLoad> loa
 
 void FaceGhosts::hide(PairRecords<1>& records) const {
   for (std::size_t g = 0; g < ghosts_.size(); ++g) {
-    const std::size_t image = order_.size() + 1 + g;
+    const std::size_t image = first_ghost_ + g;
     records.geometry[image][0] = padding_distance;
     records.geometry[image][1] = smoothing_length_[at(ghosts_[g].particle)];
     records.motion[image][1] = 0.0;

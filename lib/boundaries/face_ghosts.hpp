@@ -26,7 +26,8 @@ class FaceGhosts {
   FaceGhosts(FieldStore& fields, std::vector<std::int32_t> order, double support);
 
   /// Finds the faces and adds the images within reach and skin to a list just made.
-  void list(NeighbourList<1>& neighbours, PairRecords<1>& records, double skin);
+  /// An end that meets an image of a particle (see Images) is none; `images` of those stand before the ghosts.
+  void list(NeighbourList<1>& neighbours, PairRecords<1>& records, double skin, std::size_t images = 0);
   /// Writes the images' records for a sum over stresses. `face_stress[k]`, Pa, is that of loads[k]'s face; other faces
   /// are free. The records of the particles themselves are up to date.
   void show(PairRecords<1>& records, std::span<const PressureLoad> loads, std::span<const double> face_stress) const;
@@ -46,7 +47,7 @@ class FaceGhosts {
   [[nodiscard]] double half_reach(std::int32_t i, std::int32_t j) const;
   [[nodiscard]] double face_position(const Face& face) const;
   [[nodiscard]] bool open(const Face& face) const;
-  void find_faces(double skin);
+  void find_faces(double skin, const NeighbourList<1>& neighbours);
   void add_ghosts_of(std::int32_t face, std::size_t place, double skin, std::vector<ExtraNeighbour>& extra);
 
   std::vector<std::int32_t> order_;
@@ -55,6 +56,7 @@ class FaceGhosts {
   std::vector<Face> faces_;
   std::vector<std::size_t> face_place_;  // of each face's particle in the order
   std::vector<Ghost> ghosts_;
+  std::size_t first_ghost_ = 0;  // its record
 };
 
 }  // namespace anvil

@@ -19,6 +19,7 @@ inline constexpr FieldKey back_stress{"back_stress", "Pa", "centre of the yield 
 inline constexpr FieldKey plastic_strain{"plastic_strain", "", "accumulated equivalent plastic strain"};
 inline constexpr FieldKey viscous_pressure{"viscous_pressure", "Pa", "of the bulk viscosity"};
 inline constexpr FieldKey deformation_gradient{"deformation_gradient", "", "d x_a / d X_b, X where it was at the start"};
+inline constexpr FieldKey plastic_dilation{"plastic_dilation", "", "accumulated plastic volume strain"};
 inline constexpr FieldKey listed_position{"listed_position", "m", "position when the neighbour list was made"};
 inline constexpr FieldKey listed_smoothing_length{"listed_smoothing_length", "m", "h when the neighbour list was made"};
 

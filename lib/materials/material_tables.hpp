@@ -6,6 +6,8 @@
 
 #include "anvil/materials/eos/equation_of_state.hpp"
 #include "anvil/materials/eos/linear.hpp"
+#include "anvil/materials/eos/tait.hpp"
+#include "anvil/materials/strength/drucker_prager.hpp"
 #include "anvil/materials/strength/elastic.hpp"
 #include "anvil/materials/strength/j2.hpp"
 #include "anvil/materials/strength/no_strength.hpp"
@@ -17,8 +19,8 @@ namespace anvil {
 
 // The tables of laws. The scene's keys, `anvil list`, the factories and the property tests are all made from them.
 // To be visited once per range of particles, never per particle.
-using Eos = std::variant<LinearEos>;
-using Strength = std::variant<NoStrength, Elastic, J2, Voce>;
+using Eos = std::variant<LinearEos, TaitEos>;
+using Strength = std::variant<NoStrength, Elastic, J2, Voce, DruckerPrager>;
 
 /// Name, summary and keys of each law, in the order of its table.
 std::span<const EntryKind> eos_kinds();

@@ -27,6 +27,14 @@ class StrengthAtWork final : public StrengthUpdate<D> {
       fields.require(field::plastic_strain);
       plastic_strain_ = fields.scalar(field::plastic_strain).data();
     }
+    if constexpr (LimitsPressure<Law>) {
+      fields.require(field::pressure);
+      pressure_ = fields.scalar(field::pressure).data();
+      if (law.dilates()) {
+        fields.require(field::plastic_dilation);
+        dilation_ = fields.scalar(field::plastic_dilation).data();
+      }
+    }
     if (law.has_back_stress()) {
       fields.require(field::back_stress, StrainState::components);
       back_stress_ = fields.vector<StrainState::components>(field::back_stress).raw();
@@ -56,6 +64,28 @@ class StrengthAtWork final : public StrengthUpdate<D> {
     return work;
   }
 
+  double limit([[maybe_unused]] ParticleRange range,
+               [[maybe_unused]] const double* bulk_sound_speed_squared) const override {
+    double work = 0.0;
+    if constexpr (LimitsPressure<Law>) {
+      for (std::size_t i = range.first(); i < range.last(); ++i) {
+        StrengthHistory history;
+        history.plastic_strain = plastic_strain_[i];
+        double dilation = dilation_ == nullptr ? 0.0 : dilation_[i];
+        const double bulk_modulus = density_[i] * *bulk_sound_speed_squared++;
+        Tensor deviator = StrainState::deviator(deviator_ + components * i);
+        pressure_[i] += bulk_modulus * dilation;
+        const PlasticStep step = law_.limit(deviator, pressure_[i], dilation, bulk_modulus, history);
+        StrainState::store(deviator, deviator_ + components * i);
+        plastic_strain_[i] = history.plastic_strain;
+        if (dilation_ != nullptr) dilation_[i] = dilation;
+        work += step.plastic_work * mass_[i] / density_[i];
+      }
+    }
+    return work;
+  }
+
+  [[nodiscard]] bool limits_pressure() const override { return LimitsPressure<Law>; }
   [[nodiscard]] std::string_view law() const override { return name_; }
   [[nodiscard]] bool resists_shear() const override { return Law::resists_shear; }
   [[nodiscard]] double shear_modulus() const override { return law_.shear_modulus(); }
@@ -77,6 +107,8 @@ class StrengthAtWork final : public StrengthUpdate<D> {
   double* deviator_ = nullptr;
   double* plastic_strain_ = nullptr;
   double* back_stress_ = nullptr;
+  double* pressure_ = nullptr;
+  double* dilation_ = nullptr;
 };
 
 template <int D, class Law>
@@ -98,6 +130,14 @@ class EosAtWork final : public EosUpdate<D> {
   }
 
   [[nodiscard]] std::string_view law() const override { return name_; }
+
+  [[nodiscard]] double energy_of_pressure(ParticleRange range) const override {
+    double energy = 0.0;
+    for (std::size_t i = range.first(); i < range.last(); ++i)
+      energy += 0.5 * pressure_[i] * pressure_[i] * mass_[i] /
+                (density_[i] * density_[i] * law_.bulk_sound_speed_squared(density_[i], 0.0));
+    return energy;
+  }
 
   [[nodiscard]] double elastic_energy(ParticleRange range) const override {
     double energy = 0.0;

@@ -24,6 +24,11 @@ class StrengthUpdate {
   /// done in the range, J.
   virtual double update(ParticleRange range, const double* velocity_gradient, const double* lateral_rate,
                         double time_step) const = 0;
+  /// For a law that limits pressure: brings deviators and pressures of the range, as the equation of state gives them,
+  /// back to the yield surface. `bulk_sound_speed_squared` in m2/s2, per particle of the range. Returns the plastic
+  /// work, J.
+  virtual double limit(ParticleRange range, const double* bulk_sound_speed_squared) const = 0;
+  [[nodiscard]] virtual bool limits_pressure() const = 0;
   [[nodiscard]] virtual std::string_view law() const = 0;
   [[nodiscard]] virtual bool resists_shear() const = 0;
   [[nodiscard]] virtual double shear_modulus() const = 0;  // Pa
@@ -46,6 +51,8 @@ class EosUpdate {
   [[nodiscard]] virtual std::string_view law() const = 0;
   /// Energy stored by compression in the range, J.
   [[nodiscard]] virtual double elastic_energy(ParticleRange range) const = 0;
+  /// The same from the pressures, p^2/(2 K) per volume, where a strength law limits them.
+  [[nodiscard]] virtual double energy_of_pressure(ParticleRange range) const = 0;
 };
 
 /// Require the fields the law needs, nothing else.

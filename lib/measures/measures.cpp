@@ -3,7 +3,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "anvil/core/error.hpp"
@@ -20,6 +22,14 @@ RodShape rod_shape(const Scene& scene) {
   const auto shape = make_shape<3>(scene.bodies.front().shape);
   const Vec<3> upper = shape->centre() + 0.5 * shape->size();
   return {scene.discretisation.spacing, upper[0], upper[2]};
+}
+
+/// What a quantity of the modelled part is multiplied by: planes of symmetry through the axis each hide a half.
+double whole_over_part(const Scene& scene) {
+  return std::ldexp(1.0, static_cast<int>(std::count_if(scene.boundaries.begin(), scene.boundaries.end(),
+                                                        [](const auto& boundary) {
+                                                          return boundary.entry.type == "symmetry_plane";
+                                                        })));
 }
 
 Rod rod_of(const Result& result) { return {result.frame, rod_shape(result.scene)}; }
@@ -44,7 +54,7 @@ double contact_force_plateau(const Result& result) {
   constexpr double to = 50e-6;
   const Curve impulse = over_time(result.history, "wall_impulse_z");
   if (impulse.x.back() < to) throw InputError("the run ends before 50 us, where the plateau of its contact force ends");
-  return (value_at(impulse, to) - value_at(impulse, from)) / (to - from);
+  return whole_over_part(result.scene) * (value_at(impulse, to) - value_at(impulse, from)) / (to - from);
 }
 
 /// When the momentum along z changes its sign first, between two rows by linear interpolation.
@@ -75,9 +85,13 @@ constexpr std::array measure_table = {
     Measure{"side_half_width_8mm", "m", half_width_at<8000>},
     Measure{"side_half_width_12mm", "m", half_width_at<12000>},
     Measure{"plastic_work", "J",
-            [](const Result& result) { return required_column(result.history, "plastic_work").back(); }},
+            [](const Result& result) {
+              return whole_over_part(result.scene) * required_column(result.history, "plastic_work").back();
+            }},
     Measure{"start_energy", "J",
-            [](const Result& result) { return required_column(result.history, "kinetic_energy").front(); }},
+            [](const Result& result) {
+              return whole_over_part(result.scene) * required_column(result.history, "kinetic_energy").front();
+            }},
     Measure{"contact_force_plateau", "N", contact_force_plateau},
     Measure{"centre_of_mass_stop_time", "s", centre_of_mass_stop_time},
     Measure{"centre_of_mass_velocity", "m/s", centre_of_mass_velocity},

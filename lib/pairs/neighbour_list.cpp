@@ -38,50 +38,59 @@ std::array<std::int64_t, D> cell_coordinates(std::uint64_t number) {
 
 template <int D>
 void NeighbourList<D>::build(VectorView<D> positions, std::span<const double> smoothing_length, double reach,
-                             double skin, const PairLoops<D>& loops) {
+                             double skin, const PairLoops<D>& loops, const ImageSites<D>& images) {
   const std::size_t particles = smoothing_length.size();
   const double longest = particles == 0 ? 1.0 : *std::max_element(smoothing_length.begin(), smoothing_length.end());
-  sort_into_cells(positions, smoothing_length, reach * longest + skin);
-  chunks_.resize((particles + chunk_size - 1) / chunk_size);
-  for_each_parallel(static_cast<int>(chunks_.size()),
-                    [&](int chunk, int /*thread*/) { collect_chunk(chunk, reach, skin, loops); });
+  sort_into_cells(positions, smoothing_length, images, reach * longest + skin);
+  chunks_.resize((order_.size() + chunk_size - 1) / chunk_size);
+  for_each_parallel(static_cast<int>(chunks_.size()), [&](int chunk, int /*thread*/) {
+    collect_chunk(chunk, static_cast<std::int32_t>(particles), reach, skin, loops);
+  });
   join_chunks(particles);
 }
 
 template <int D>
 void NeighbourList<D>::sort_into_cells(VectorView<D> positions, std::span<const double> smoothing_length,
-                                       double cell_size) {
-  const std::size_t particles = smoothing_length.size();
+                                       const ImageSites<D>& images, double cell_size) {
+  const std::size_t particles = smoothing_length.size(), all = particles + images.position.size();
   Vec<D> lowest = Vec<D>::Constant(std::numeric_limits<double>::max());
   for (std::size_t i = 0; i < particles; ++i) lowest = lowest.cwiseMin(positions[i]);
-  order_.resize(particles);
-  for (std::size_t i = 0; i < particles; ++i) {
+  for (const Vec<D>& position : images.position) lowest = lowest.cwiseMin(position);
+  const auto cell_of = [&](const auto& position) {
     std::array<std::int64_t, D> cell{};
     for (int a = 0; a < D; ++a) {
-      const double coordinate = std::min((positions[i][a] - lowest[a]) / cell_size, double(cells_per_axis - 1));
+      const double coordinate = std::min((position[a] - lowest[a]) / cell_size, double(cells_per_axis - 1));
       cell[static_cast<std::size_t>(a)] = static_cast<std::int64_t>(coordinate);
     }
-    order_[i] = {cell_number<D>(cell), static_cast<std::int32_t>(i)};
-  }
+    return cell_number<D>(cell);
+  };
+  order_.resize(all);
+  for (std::size_t i = 0; i < particles; ++i) order_[i] = {cell_of(positions[i]), static_cast<std::int32_t>(i)};
+  for (std::size_t k = particles; k < all; ++k)
+    order_[k] = {cell_of(images.position[k - particles]), static_cast<std::int32_t>(k + 1)};
   std::sort(order_.begin(), order_.end(), [](const CellOf& a, const CellOf& b) {
     return a.cell != b.cell ? a.cell < b.cell : a.particle < b.particle;
   });
   constexpr std::size_t overrun = 8;  // the loops load whole vectors
-  for (auto& coordinate : sorted_position_) coordinate.assign(particles + overrun, 0.0);
-  sorted_smoothing_length_.assign(particles + overrun, 0.0);
-  sorted_particle_.assign(particles + overrun, 0);
-  for (std::size_t k = 0; k < particles; ++k) {
+  for (auto& coordinate : sorted_position_) coordinate.assign(all + overrun, 0.0);
+  sorted_smoothing_length_.assign(all + overrun, 0.0);
+  sorted_particle_.assign(all + overrun, 0);
+  for (std::size_t k = 0; k < all; ++k) {
     const auto i = static_cast<std::size_t>(order_[k].particle);
-    for (int a = 0; a < D; ++a) sorted_position_[a][k] = positions[i][a];
-    sorted_smoothing_length_[k] = smoothing_length[i];
+    const bool image = i > particles;
+    for (int a = 0; a < D; ++a)
+      sorted_position_[a][k] = image ? images.position[i - particles - 1][a] : positions[i][a];
+    sorted_smoothing_length_[k] = image ? images.smoothing_length[i - particles - 1] : smoothing_length[i];
     sorted_particle_[k] = order_[k].particle;
   }
 }
 
 template <int D>
-void NeighbourList<D>::collect_chunk(int chunk, double reach, double skin, const PairLoops<D>& loops) {
+void NeighbourList<D>::collect_chunk(int chunk, std::int32_t particles, double reach, double skin,
+                                     const PairLoops<D>& loops) {
   Chunk& found = chunks_[static_cast<std::size_t>(chunk)];
   found.neighbours.clear();
+  found.particle.clear();
   found.row_length.clear();
   found.padded_length.clear();
   Candidates<D> candidates{};
@@ -89,13 +98,14 @@ void NeighbourList<D>::collect_chunk(int chunk, double reach, double skin, const
   candidates.smoothing_length = sorted_smoothing_length_.data();
   candidates.particle = sorted_particle_.data();
 
-  const auto particles = static_cast<std::int64_t>(order_.size());
-  const std::int64_t begin = std::int64_t{chunk} * chunk_size, end = std::min(begin + chunk_size, particles);
+  const auto all = static_cast<std::int64_t>(order_.size());
+  const std::int64_t begin = std::int64_t{chunk} * chunk_size, end = std::min(begin + chunk_size, all);
   const auto number_less = [](const CellOf& entry, std::uint64_t number) { return entry.cell < number; };
   constexpr int rows = D == 1 ? 1 : (D == 2 ? 3 : 9);
   std::array<std::array<std::int64_t, 2>, rows> ranges{};
   std::uint64_t cell_of_ranges = ~std::uint64_t{0};
   for (std::int64_t self = begin; self < end; ++self) {
+    if (order_[static_cast<std::size_t>(self)].particle > particles) continue;  // an image
     const std::uint64_t number = order_[static_cast<std::size_t>(self)].cell;
     if (number != cell_of_ranges) {  // sorted: many particles share a cell and its surroundings
       cell_of_ranges = number;
@@ -123,8 +133,9 @@ void NeighbourList<D>::collect_chunk(int chunk, double reach, double skin, const
     for (const auto& range : ranges)
       length += loops.collect(candidates, range[0], range[1], self, reach, skin, out + length);
     int padded = length;
-    while (padded % loops.lanes != 0) out[padded++] = static_cast<std::int32_t>(particles);
+    while (padded % loops.lanes != 0) out[padded++] = particles;
     found.neighbours.resize(row_start + static_cast<std::size_t>(padded));
+    found.particle.push_back(order_[static_cast<std::size_t>(self)].particle);
     found.row_length.push_back(length);
     found.padded_length.push_back(padded);
   }
@@ -134,20 +145,20 @@ template <int D>
 void NeighbourList<D>::join_chunks(std::size_t particles) {
   first_.assign(particles + 1, 0);
   listed_ = 0;
-  for (std::size_t k = 0; k < particles; ++k) {
-    const Chunk& chunk = chunks_[k / chunk_size];
-    first_[static_cast<std::size_t>(order_[k].particle) + 1] = chunk.padded_length[k % chunk_size];
-    listed_ += chunk.row_length[k % chunk_size];
+  for (const Chunk& chunk : chunks_) {
+    for (std::size_t k = 0; k < chunk.particle.size(); ++k) {
+      first_[static_cast<std::size_t>(chunk.particle[k]) + 1] = chunk.padded_length[k];
+      listed_ += chunk.row_length[k];
+    }
   }
   for (std::size_t i = 0; i < particles; ++i) first_[i + 1] += first_[i];
   neighbours_.resize(static_cast<std::size_t>(first_[particles]));
   for_each_parallel(static_cast<int>(chunks_.size()), [&](int c, int /*thread*/) {
-    const auto chunk_index = static_cast<std::size_t>(c);
-    const Chunk& chunk = chunks_[chunk_index];
+    const Chunk& chunk = chunks_[static_cast<std::size_t>(c)];
     const std::int32_t* source = chunk.neighbours.data();
     for (std::size_t k = 0; k < chunk.padded_length.size(); ++k) {
-      const auto particle = static_cast<std::size_t>(order_[chunk_index * chunk_size + k].particle);
-      std::copy_n(source, chunk.padded_length[k], neighbours_.data() + first_[particle]);
+      const auto row = static_cast<std::size_t>(chunk.particle[k]);
+      std::copy_n(source, chunk.padded_length[k], neighbours_.data() + first_[row]);
       source += chunk.padded_length[k];
     }
   });

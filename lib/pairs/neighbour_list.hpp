@@ -17,21 +17,29 @@ struct ExtraNeighbour {
   std::int32_t record;
 };
 
-/// For each particle all others within reach (h_i + h_j)/2 + skin, so that the list stays complete while the particles
-/// move by less than the skin. Found on a grid of cells into which the particles are sorted; every pair stands twice,
-/// once for each partner. Rows are padded to the width of the vector lanes with the weightless record behind the last
-/// particle. The order of a row follows from the positions alone: the same for any number of threads.
+/// Images of particles (see Images) as the search meets them: image g is the record particles + 1 + g.
+template <int D>
+struct ImageSites {
+  std::vector<Vec<D>> position;          // m
+  std::vector<double> smoothing_length;  // m
+};
+
+/// For each particle all others and all images within reach (h_i + h_j)/2 + skin, so that the list stays complete while
+/// the particles move by less than the skin. Found on a grid of cells into which the particles are sorted; every pair
+/// stands twice, once for each partner. Rows are padded to the width of the vector lanes with the weightless record
+/// behind the last particle. The order of a row follows from the positions alone: the same for any number of threads.
+/// Images have no rows.
 template <int D>
 class NeighbourList {
  public:
   /// `reach` is the kernel's support in smoothing lengths; `skin` in m.
   void build(VectorView<D> positions, std::span<const double> smoothing_length, double reach, double skin,
-             const PairLoops<D>& loops);
+             const PairLoops<D>& loops, const ImageSites<D>& images = {});
 
   /// Adds neighbours to the ends of their particles' rows. Only where rows are not padded: in one dimension.
   void append(std::span<const ExtraNeighbour> extra) requires(D == 1);
 
-  /// Keeps the listed neighbours for which wanted(particle, neighbour) holds, and pads the rows anew.
+  /// Keeps the listed neighbours for which wanted(particle, record of the neighbour) holds, and pads the rows anew.
   template <class Wanted>
   void keep_only(Wanted&& wanted, int lanes);
 
@@ -48,8 +56,9 @@ class NeighbourList {
     std::uint64_t cell;
     std::int32_t particle;
   };
-  void sort_into_cells(VectorView<D> positions, std::span<const double> smoothing_length, double cell_size);
-  void collect_chunk(int chunk, double reach, double skin, const PairLoops<D>& loops);
+  void sort_into_cells(VectorView<D> positions, std::span<const double> smoothing_length, const ImageSites<D>& images,
+                       double cell_size);
+  void collect_chunk(int chunk, std::int32_t particles, double reach, double skin, const PairLoops<D>& loops);
   void join_chunks(std::size_t particles);
 
   std::vector<std::int64_t> first_;
@@ -62,7 +71,7 @@ class NeighbourList {
   std::vector<std::int32_t> sorted_particle_;
   struct Chunk {  // what one piece of work found: rows of consecutive sorted particles
     std::vector<std::int32_t> neighbours;
-    std::vector<std::int32_t> row_length, padded_length;
+    std::vector<std::int32_t> particle, row_length, padded_length;
   };
   std::vector<Chunk> chunks_;
 };
@@ -79,7 +88,7 @@ void NeighbourList<D>::keep_only(Wanted&& wanted, int lanes) {
     const std::size_t row_start = kept.size();
     for (std::int64_t k = begin; k < first_[row + 1]; ++k) {
       const std::int32_t j = neighbours_[static_cast<std::size_t>(k)];
-      if (j < particles && wanted(i, j)) kept.push_back(j);
+      if (j != particles && wanted(i, j)) kept.push_back(j);
     }
     listed_ += static_cast<std::int64_t>(kept.size() - row_start);
     while ((kept.size() - row_start) % static_cast<std::size_t>(lanes) != 0) kept.push_back(particles);

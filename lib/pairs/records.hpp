@@ -47,18 +47,24 @@ struct PairRecords {
   Records<small> motion;    // velocity, volume
   Records<large> traction;  // tensor T, weight w: what the momentum sum reads
   Records<nominal_size> nominal;  // tensor of D x D, weight: what the momentum sum of the reference configuration reads
-  Records<4> medium;        // sound speed, density, mass
+  Records<4> medium;        // sound speed, density, mass, viscosity
 
-  /// Room for images of particles (see FaceGhosts) behind the padding record; those of before are gone.
+  /// Room for images of particles (see Images, FaceGhosts) behind the padding record; those of before are gone.
   void set_images(std::size_t images) {
     const std::size_t own = particles_ + 1;
     geometry.keep(own, own + images);
     motion.keep(own, own + images);
-    traction.keep(own, own + images);
+    if (nominal.count() > 0)
+      nominal.keep(own, own + images);
+    else
+      traction.keep(own, own + images);
     if (medium.count() == 0) return;
     medium.keep(own, own + images);
     for (std::size_t g = 0; g < images; ++g) medium[own + g][1] = 1.0;  // a density to divide by; their mass stays zero
   }
+
+  /// The record of the first image.
+  [[nodiscard]] std::size_t first_image() const { return particles_ + 1; }
 
   /// All records zero but those of the padding. Those of stress are `traction` or `nominal`.
   void resize(std::size_t particles, bool with_medium, bool with_nominal = false);

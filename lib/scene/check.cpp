@@ -9,6 +9,7 @@
 
 #include "anvil/boundaries/pressure.hpp"
 #include "anvil/core/error.hpp"
+#include "anvil/scene/boundary_checks.hpp"
 #include "anvil/scene/overlap.hpp"
 #include "anvil/scene/placement.hpp"
 #include "anvil/scene/problems.hpp"
@@ -105,7 +106,7 @@ template <int D>
 void check_walls(const Scene& scene, const BodyDescription& body, const Shape<D>& shape, Contradictions& found) {
   const Mat<D> rotation = rotation_of<D>(body);
   for (const auto& boundary : scene.boundaries) {
-    if (boundary.entry.type != "rigid_wall") continue;
+    if (boundary.entry.type != "rigid_wall" && boundary.entry.type != "symmetry_plane") continue;
     const Vec<D> normal = component_vector<D>(boundary.entry.parameters.numbers("normal"));
     if (normal.norm() == 0.0) continue;
     const Vec<D> inward = normal.normalized();
@@ -202,6 +203,16 @@ void check_total_lagrangian(const Scene& scene, Contradictions& found) {
     refuse("stabiliser.conservative_smoothing",
            "it averages over the present neighbours, and total_lagrangian keeps those of the start; use "
            "stabiliser.method");
+  const std::vector<std::string> possible = {"rigid_wall", "symmetry_plane", "pressure"};
+  for (const auto& boundary : scene.boundaries)
+    if (std::find(possible.begin(), possible.end(), boundary.entry.type) == possible.end())
+      found.push_back({fmt::format("boundary.{}.type", boundary.name),
+                       fmt::format("{} works on the present neighbours; total_lagrangian goes with {}",
+                                   boundary.entry.type, fmt::join(possible, ", "))});
+  for (const auto& body : scene.bodies)
+    if (body.jitter > 0.0)
+      found.push_back({fmt::format("body.{}.jitter", body.name),
+                       "total_lagrangian wants the lattice as it is; leave the key out"});
   const bool all_on_faces = std::all_of(scene.bodies.begin(), scene.bodies.end(),
                                         [](const auto& body) { return body.lattice == "face_lattice"; });
   if (scene.bodies.size() > 1 && !all_on_faces)
@@ -292,6 +303,7 @@ std::vector<Contradiction> find_contradictions(const Scene& scene) {
   check_times(scene, found);
   check_normals(scene, found);
   check_pressures(scene, found);
+  check_planes_and_periods(scene, found);
   check_method(scene, found);
   check_total_lagrangian(scene, found);
   check_rotations(scene, found);
@@ -300,6 +312,7 @@ std::vector<Contradiction> find_contradictions(const Scene& scene) {
   if (scene.domain.dimension == 1) check_bodies<1>(scene, found);
   if (scene.domain.dimension == 2) check_bodies<2>(scene, found);
   if (scene.domain.dimension == 3) check_bodies<3>(scene, found);
+  if (found.empty()) check_dummy_walls(scene, found);  // needs bodies that can be placed
   return found;
 }
 

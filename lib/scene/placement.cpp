@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 #include "anvil/core/error.hpp"
 
@@ -116,7 +117,7 @@ std::size_t corner_number(const Index<D>& corner, const Index<D>& cells) {
   return flat;
 }
 
-/// The corners of the face in which a cell ends along an axis, in the order of Facet.
+/// The corners of the face in which a cell ends along an axis, in the order of BodyFacet.
 template <int D>
 std::array<Index<D>, D == 3 ? 4 : (D == 2 ? 2 : 1)> face_corners(const Index<D>& cell, std::size_t axis, bool upper) {
   Index<D> base = cell;
@@ -143,9 +144,9 @@ std::array<Index<D>, D == 3 ? 4 : (D == 2 ? 2 : 1)> face_corners(const Index<D>&
 /// Gives each particle its part of the facets it is a corner of.
 template <int D>
 void share_facets(PlacedBody<D>& placed, double spacing) {
-  constexpr std::size_t corners = D == 1 ? 1 : Facet<D>{}.size();
+  constexpr std::size_t corners = D == 1 ? 1 : BodyFacet<D>{}.size();
   std::vector<double> area(placed.positions.size(), 0.0);
-  for (const Facet<D>& facet : placed.facets)
+  for (const BodyFacet<D>& facet : placed.facets)
     for (std::size_t k = 0; k < corners; ++k)
       area[static_cast<std::size_t>(facet[k])] += std::pow(spacing, D - 1) / static_cast<double>(corners);
   for (std::size_t i = 0; i < area.size(); ++i)
@@ -188,7 +189,7 @@ PlacedBody<D> share_cells(const Shape<D>& shape, const Index<D>& cells, double s
     placed.volumes.push_back(share[number]);
   });
   for (const Face& face : faces) {
-    Facet<D> facet{};
+    BodyFacet<D> facet{};
     if constexpr (D == 1) facet[1] = face.upper ? 1 : -1;
     std::size_t next = 0;
     for (const auto& corner : face_corners<D>(face.cell, face.axis, face.upper))
@@ -213,8 +214,11 @@ PlacedBody<D> place_body(const BodyDescription& body, double spacing) {
   for (double& volume : placed.volumes) volume *= scale;
   const Mat<D> rotation = rotation_of<D>(body);
   const bool turned = !body.rotation.empty();
+  std::mt19937 random(1);  // whose numbers are the same everywhere
   for (Vec<D>& position : placed.positions) {
     position += shape->centre();
+    for (int axis = 0; body.jitter > 0.0 && axis < D; ++axis)
+      position[axis] += body.jitter * spacing * (static_cast<double>(random()) * 0x1p-31 - 1.0);
     if (turned) position = (rotation * position).eval();
   }
   if (turned)

@@ -14,7 +14,7 @@ namespace anvil {
 /// A piece of a surface by the numbers of its particles: a quadrilateral in 3D, counterclockwise seen from outside; a
 /// segment in 2D, outside on its right; in 1D a particle and the direction in which it faces, +1 or -1.
 template <int D>
-using Facet = std::array<std::int32_t, D == 3 ? 4 : 2>;
+using BodyFacet = std::array<std::int32_t, D == 3 ? 4 : 2>;
 
 /// A piece of face that belongs to one particle, and where it is seen from it before anything has moved.
 template <int D>
@@ -29,7 +29,7 @@ template <int D>
 struct PlacedBody {
   std::vector<Vec<D>> positions;
   std::vector<double> volumes;
-  std::vector<Facet<D>> facets;
+  std::vector<BodyFacet<D>> facets;
   std::vector<SurfacePoint<D>> surface;  // by particle
 };
 

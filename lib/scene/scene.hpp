@@ -34,6 +34,7 @@ class Parameters {
   [[nodiscard]] const std::vector<double>& numbers(const std::string& key) const {
     return get<std::vector<double>>(key);
   }
+  [[nodiscard]] const Texts& texts(const std::string& key) const { return get<Texts>(key); }
   [[nodiscard]] const Points& points(const std::string& key) const { return get<Points>(key); }
   [[nodiscard]] const std::map<std::string, Value>& all() const { return values_; }
   bool operator==(const Parameters&) const = default;
@@ -58,6 +59,7 @@ struct TypedEntry {
 struct Domain {
   int dimension;
   std::string strain_state;
+  std::vector<double> gravity;  // m/s2
   bool operator==(const Domain&) const = default;
 };
 
@@ -103,14 +105,17 @@ struct BodyDescription {
   TypedEntry shape;
   std::string lattice;
   std::vector<double> rotation;  // rad, about the origin: axis times angle in 3D, one angle in 2D; empty: none
+  double jitter;  // of a spacing
   std::string material;
   std::vector<double> velocity;  // m/s, `dimension` components
+  bool hydrostatic;
   bool operator==(const BodyDescription&) const = default;
 };
 
 struct MaterialDescription {
   std::string name;
-  double density;  // kg/m3, of the unloaded material
+  double density;    // kg/m3, of the unloaded material
+  double viscosity;  // Pa s
   TypedEntry eos;
   TypedEntry strength;
   bool operator==(const MaterialDescription&) const = default;

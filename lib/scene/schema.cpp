@@ -42,6 +42,12 @@ Section<Domain> domain_section() {
             .optional = true,
             .derived = "uniaxial_strain in 1D, plane_strain in 2D, full in 3D"},
            &Domain::strain_state},
+          {{.name = "gravity",
+            .kind = ValueKind::vector,
+            .unit = "m/s2",
+            .standard = std::vector<double>{0.0},
+            .help = "acceleration of all bodies by a force on their mass"},
+           &Domain::gravity},
       }};
 }
 
@@ -226,6 +232,12 @@ Section<BodyDescription> body_section() {
             .help = "turns the shape and its lattice about the origin: in 3D the axis times the angle, in 2D one angle; "
                     "velocity and boundaries stay as they are given"},
            &BodyDescription::rotation},
+          {{.name = "jitter",
+            .standard = 0.0,
+            .range = Range::half_fraction,
+            .help = "each coordinate of each particle is moved at random by up to this part of the spacing, the same "
+                    "way in every run"},
+           &BodyDescription::jitter},
           {{.name = "material",
             .kind = ValueKind::name,
             .help = "name of a [material.NAME] of the scene or of a bundled material"},
@@ -236,6 +248,12 @@ Section<BodyDescription> body_section() {
             .standard = std::vector<double>{0.0},
             .help = "velocity at the start"},
            &BodyDescription::velocity},
+          {{.name = "hydrostatic",
+            .kind = ValueKind::flag,
+            .standard = false,
+            .help = "whether the body starts under the pressure of its own weight, that of its depth below its highest "
+                    "point, instead of feeling domain.gravity all at once"},
+           &BodyDescription::hydrostatic},
       }};
 }
 
@@ -247,6 +265,12 @@ Section<MaterialDescription> material_section() {
       {
           {{.name = "density", .unit = "kg/m3", .range = Range::positive, .help = "density of the unloaded material"},
            &MaterialDescription::density},
+          {{.name = "viscosity",
+            .unit = "Pa s",
+            .standard = 0.0,
+            .range = Range::not_negative,
+            .help = "mu of a viscous fluid (Morris 1997)"},
+           &MaterialDescription::viscosity},
           {{.name = "eos", .kind = ValueKind::entry, .help = "equation of state", .entries = eos_kinds},
            &MaterialDescription::eos},
           {{.name = "strength",

@@ -2,7 +2,9 @@
 #include "anvil/scene/shape.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "anvil/core/error.hpp"
@@ -101,6 +103,52 @@ class Ring final : public Shape<2> {
   double outer_;
 };
 
+/// The inside of a closed path; what its boundary holds belongs to it up to rounding.
+class Polygon final : public Shape<2> {
+ public:
+  explicit Polygon(const Parameters& keys) {
+    for (const auto& point : keys.points("points")) vertices_.push_back(to_vector<2>(point));
+    if (vertices_.size() < 3) throw InputError("a polygon needs three points or more");
+    least_ = greatest_ = vertices_[0];
+    for (const auto& vertex : vertices_) {
+      least_ = least_.cwiseMin(vertex);
+      greatest_ = greatest_.cwiseMax(vertex);
+    }
+    for_each_edge([&](const Vec<2>& from, const Vec<2>& to) { area_ += 0.5 * (from[0] * to[1] - from[1] * to[0]); });
+    area_ = std::abs(area_);
+    if (!(area_ > 0.0)) throw InputError("the polygon has no area");
+  }
+  [[nodiscard]] Vec<2> centre() const override { return 0.5 * (least_ + greatest_); }
+  [[nodiscard]] Vec<2> size() const override { return greatest_ - least_; }
+  [[nodiscard]] bool ends_in_planes(int) const override { return false; }
+  /// An odd number of edges lies to the right of an inner point.
+  [[nodiscard]] bool contains(const Vec<2>& offset) const override {
+    const Vec<2> place = centre() + offset;
+    bool inside = false;
+    for_each_edge([&](const Vec<2>& from, const Vec<2>& to) {
+      if ((from[1] > place[1]) != (to[1] > place[1]) &&
+          place[0] < from[0] + (place[1] - from[1]) / (to[1] - from[1]) * (to[0] - from[0]))
+        inside = !inside;
+    });
+    return inside;
+  }
+  [[nodiscard]] double volume() const override { return area_; }
+  [[nodiscard]] double reach(const Vec<2>& direction) const override {
+    double furthest = std::numeric_limits<double>::lowest();
+    for (const auto& vertex : vertices_) furthest = std::max(furthest, direction.dot(vertex - centre()));
+    return furthest;
+  }
+
+ private:
+  template <class Visit>
+  void for_each_edge(Visit&& visit) const {
+    for (std::size_t i = 0; i < vertices_.size(); ++i) visit(vertices_[i], vertices_[(i + 1) % vertices_.size()]);
+  }
+  std::vector<Vec<2>> vertices_;
+  Vec<2> least_, greatest_;
+  double area_ = 0.0;
+};
+
 template <int D>
 std::unique_ptr<Shape<D>> make_box(const Parameters& keys) {
   return std::make_unique<Box<D>>(to_vector<D>(keys.numbers("min")), to_vector<D>(keys.numbers("max")));
@@ -162,6 +210,14 @@ const std::vector<ShapeRow>& shape_rows() {
                 .keys = {length("min", "lower end", Range::any), length("max", "upper end", Range::any)},
                 .dimensions = {1}},
        .make_1d = make_interval},
+      {.kind = {.type = "polygon",
+                .summary = "The inside of a closed path",
+                .keys = {{.name = "points",
+                          .kind = ValueKind::points,
+                          .unit = "m",
+                          .help = "its corners in turn; it ends where it began"}},
+                .dimensions = {2}},
+       .make_2d = [](const Parameters& keys) -> std::unique_ptr<Shape<2>> { return std::make_unique<Polygon>(keys); }},
       {.kind = {.type = "ring",
                 .summary = "The region between two circles, a disc when the inner radius is zero",
                 .keys = {origin("centre", "centre of the circles"),

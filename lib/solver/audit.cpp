@@ -22,7 +22,7 @@ void add_vector(std::vector<AuditValue>& row, const std::string& name, const std
 template <int D>
 double Solver<D>::kinetic_energy() const {
   double energy = 0.0;
-  for (std::size_t i = 0; i < mass_.size(); ++i) energy += 0.5 * mass_[i] * velocity_[i].squaredNorm();
+  for (std::size_t i = 0; i < bodies_end(); ++i) energy += 0.5 * mass_[i] * velocity_[i].squaredNorm();
   return energy;
 }
 
@@ -30,7 +30,9 @@ template <int D>
 double Solver<D>::elastic_energy() const {
   double energy = 0.0;
   for (const auto& body : recipe_.bodies)
-    energy += body.strength->elastic_energy(body.strength_range) + body.eos->elastic_energy(body.range);
+    energy += body.strength->elastic_energy(body.strength_range) + (body.strength->limits_pressure()
+                                                                        ? body.eos->energy_of_pressure(body.range)
+                                                                        : body.eos->elastic_energy(body.range));
   for (const auto* penalty : recipe_.wall_penalties) energy += penalty->energy();
   return energy;
 }
@@ -38,7 +40,7 @@ double Solver<D>::elastic_energy() const {
 template <int D>
 Vec<D> Solver<D>::momentum() const {
   Vec<D> sum = Vec<D>::Zero();
-  for (std::size_t i = 0; i < mass_.size(); ++i) sum += mass_[i] * velocity_[i];
+  for (std::size_t i = 0; i < bodies_end(); ++i) sum += mass_[i] * velocity_[i];
   return sum;
 }
 
@@ -52,7 +54,7 @@ double Solver<D>::minimum_pair_distance() const {
     for (std::size_t i = tiles_[tile].range.first(); i < tiles_[tile].range.last(); ++i) {
       for (std::int64_t k = neighbours_.row_begin(i); k < neighbours_.row_end(i); ++k) {
         const auto j = static_cast<std::size_t>(neighbour[k]);
-        if (j >= mass_.size()) break;  // padding or images
+        if (j >= mass_.size()) continue;  // padding or images
         nearest[tile] = std::min(nearest[tile], (position_[i] - position_[j]).squaredNorm());
       }
     }
@@ -66,17 +68,18 @@ template <int D>
 std::vector<AuditValue> Solver<D>::audit() const {
   double mass = 0.0;
   Vec<D> centre = Vec<D>::Zero();
-  for (std::size_t i = 0; i < mass_.size(); ++i) {
+  for (std::size_t i = 0; i < bodies_end(); ++i) {
     mass += mass_[i];
     centre += mass_[i] * position_[i];
   }
   const double kinetic = kinetic_energy(), elastic = elastic_energy();
-  const double total =
-      kinetic + elastic + ledger_.plastic_work + ledger_.viscous_loss + ledger_.smoothing_loss + ledger_.wall_loss +
-      ledger_.contact_loss;
+  double stored_by_walls = 0.0;
+  for (const auto* force : recipe_.wall_forces) stored_by_walls += force->stored_energy(records_);
+  const double total = kinetic + elastic + stored_by_walls - ledger_.gravity_work + ledger_.plastic_work +
+                       ledger_.viscous_loss + ledger_.smoothing_loss + ledger_.wall_loss + ledger_.contact_loss;
   const Vec<D> present = momentum();
-  const Vec<D> unexplained =
-      present - ledger_.start_momentum - ledger_.wall_impulse - ledger_.smoothing_impulse - ledger_.pressure_impulse;
+  const Vec<D> unexplained = present - ledger_.start_momentum - ledger_.wall_impulse - ledger_.smoothing_impulse -
+                             ledger_.pressure_impulse - ledger_.gravity_impulse;
 
   std::vector<AuditValue> row;
   row.push_back({"mass", "kg", mass});
@@ -84,6 +87,8 @@ std::vector<AuditValue> Solver<D>::audit() const {
   add_vector<D>(row, "centre_of_mass", "m", mass > 0.0 ? Vec<D>(centre / mass) : centre);
   row.push_back({"kinetic_energy", "J", kinetic});
   row.push_back({"elastic_energy", "J", elastic});
+  const bool falls = !recipe_.gravity.isZero(0.0);
+  if (falls) row.push_back({"potential_energy", "J", -ledger_.gravity_work});
   row.push_back({"plastic_work", "J", ledger_.plastic_work});
   row.push_back({"viscous_loss", "J", ledger_.viscous_loss});
   row.push_back({"smoothing_loss", "J", ledger_.smoothing_loss});
@@ -93,13 +98,19 @@ std::vector<AuditValue> Solver<D>::audit() const {
     row.push_back({"contact_penetration", "m", recipe_.contact->deepest_penetration()});
   }
   row.push_back({"total_energy", "J", total});
-  row.push_back({"energy_error", "J", total - ledger_.start_energy - ledger_.pressure_work});
+  row.push_back({"energy_error", "J", total - ledger_.start_energy - ledger_.pressure_work - ledger_.wall_work});
   add_vector<D>(row, "wall_impulse", "N s", ledger_.wall_impulse);
   add_vector<D>(row, "smoothing_impulse", "N s", ledger_.smoothing_impulse);
   if (!recipe_.loads.empty()) {
     add_vector<D>(row, "pressure_impulse", "N s", ledger_.pressure_impulse);
     row.push_back({"pressure_work", "J", ledger_.pressure_work});
   }
+  if (falls) add_vector<D>(row, "gravity_impulse", "N s", ledger_.gravity_impulse);
+  if (!walls_.empty()) {
+    row.push_back({"wall_stored_energy", "J", stored_by_walls});
+    row.push_back({"wall_work", "J", ledger_.wall_work});
+  }
+  if (!walls_.empty() || !recipe_.mirror_walls.empty()) row.push_back({"penetrations", "", ledger_.penetrations});
   if (recipe_.corrected_gradients) row.push_back({"uncorrected_particles", "", ledger_.uncorrected});
   row.push_back({"momentum_error", "N s", unexplained.norm()});
   row.push_back({"minimum_pair_distance", "m", minimum_pair_distance()});

@@ -17,11 +17,17 @@ Explanation Solver<D>::explain() const {
         "makes gradients exact for linear fields; particles without enough neighbours keep plain ones");
   if (recipe_.face_ghosts) add("face_ghosts", "images behind the ends of the line, with the stress odd about the face");
   for (std::size_t k = 0; k < recipe_.loads.size(); ++k) add("pressure", "a pressure over time on a face");
+  if (recipe_.images.possible())
+    add("images", "copies of the particles near symmetry planes and the ends of periods, seen by every sum over pairs");
   for (const auto& force : recipe_.forces) add(force->name(), force->purpose());
   for (const auto& filter : recipe_.filters) add(filter->name(), filter->purpose());
   if (recipe_.transport)
     add("flux_corrected_transport", "spreads and gathers velocities, then densities, along the line");
   if (recipe_.contact) add("contact", "bodies push each other where their faces meet, without friction");
+  if (!recipe_.gravity.isZero(0.0)) add("gravity", "the same acceleration for all");
+  for (const auto& wall : walls_)
+    if (wall->interpolates())
+      add("dummy_rows", "density, stress and velocity of the wall '" + wall->scene_name() + "', from those beside it");
   for (const auto& boundary : recipe_.boundaries) add(boundary->name(), boundary->purpose());
   if (recipe_.bulk_viscosity) add("bulk_viscosity", "pressure against the rate of compression");
   if (recipe_.deformation)
@@ -79,10 +85,10 @@ Explanation Solver<D>::explain() const {
 template <int D>
 std::int64_t Solver<D>::count_pairs() const {
   std::int64_t pairs = 0;
-  for (std::size_t i = 0; i < particle_count(); ++i) {
+  for (std::size_t i = 0; i < bodies_end(); ++i) {
     for (std::int64_t k = neighbours_.row_begin(i); k < neighbours_.row_end(i); ++k) {
       const auto j = static_cast<std::size_t>(neighbours_.neighbours()[k]);
-      if (j >= particle_count()) break;  // padding or images
+      if (j >= particle_count()) continue;  // padding or images
       const double reach = 0.5 * recipe_.support * (smoothing_length_[i] + smoothing_length_[j]);
       if (recipe_.deformation || (position_[i] - position_[j]).squaredNorm() < reach * reach) ++pairs;
     }

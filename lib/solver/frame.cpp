@@ -35,12 +35,18 @@ Frame Solver<D>::frame() const {
   frame.step = step_;
   frame.dimension = D;
   frame.positions = padded(position_, particles);
+  for (std::size_t i = 0; recipe_.images.wraps() && i < bodies_end(); ++i)
+    Eigen::Map<Vec<D>>(&frame.positions[3 * i]) = recipe_.images.wrapped(position_[i]);
 
   FrameArray id{"particle_id", "", 1, true, std::vector<double>(particles)};
   FrameArray body{"body", "", 1, true, std::vector<double>(particles)};
   for (std::size_t i = 0; i < particles; ++i) id.values[i] = static_cast<double>(i);
   for (std::size_t b = 0; b < ranges_.size(); ++b)
     std::fill(body.values.begin() + ranges_[b].begin, body.values.begin() + ranges_[b].end, static_cast<double>(b));
+
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    std::fill(body.values.begin() + walls_[w]->range().begin, body.values.begin() + walls_[w]->range().end,
+              static_cast<double>(ranges_.size() + w));
 
   FrameArray initial{"initial_position", "m", 3, false, padded(initial_position_, particles)};
   FrameArray velocity{"velocity", "m/s", 3, false, padded(velocity_, particles)};

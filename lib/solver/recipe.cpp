@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "anvil/boundaries/rigid_wall.hpp"
 #include "anvil/core/field_keys.hpp"
 #include "anvil/materials/material_tables.hpp"
 #include "anvil/scene/placement.hpp"
+#include "anvil/scene/shape.hpp"
 #include "anvil/terms/conservative_smoothing.hpp"
+#include "anvil/terms/laminar_viscosity.hpp"
 #include "anvil/terms/momentum.hpp"
 #include "anvil/terms/nominal_momentum.hpp"
 #include "anvil/terms/viscosity.hpp"
@@ -34,6 +35,12 @@ Vec<D> vector_of(const std::vector<double>& components) {
   return vector;
 }
 
+/// c = sqrt(K / rho) of the unloaded material, m/s.
+double bulk_sound_speed(const MaterialDescription& material) {
+  return std::sqrt(std::visit([&](const auto& eos) { return eos.bulk_sound_speed_squared(material.density, 0.0); },
+                              make_eos(material.eos, material.density)));
+}
+
 /// c_e = sqrt((K + 4 G / 3) / rho) of the unloaded material, m/s.
 double elastic_wave_speed(const MaterialDescription& material) {
   const double bulk = std::visit([&](const auto& eos) { return eos.bulk_sound_speed_squared(material.density, 0.0); },
@@ -41,6 +48,25 @@ double elastic_wave_speed(const MaterialDescription& material) {
   const double shear =
       std::visit([](const auto& law) { return law.shear_modulus(); }, make_strength(material.strength));
   return std::sqrt(bulk + 4.0 / 3.0 * shear / material.density);
+}
+
+/// Density at which a body carries the weight of what lies above a position, rho0 g depth, found by bisection.
+template <int D>
+double density_under_weight(const Scene& scene, const BodyDescription& body, const Vec<D>& position) {
+  const MaterialDescription& material = material_of(scene, body);
+  const Vec<D> gravity = vector_of<D>(scene.domain.gravity);
+  const auto shape = make_shape<D>(body.shape);
+  const Vec<D> up = gravity.norm() > 0.0 ? Vec<D>(-gravity.normalized()) : gravity;
+  const double depth = shape->reach(up) - up.dot(position - shape->centre());
+  const double pressure = material.density * gravity.norm() * std::max(depth, 0.0);
+  const Eos eos = make_eos(material.eos, material.density);
+  double light = material.density, dense = 2.0 * material.density;
+  for (int k = 0; k < 60; ++k) {  // to the last bit
+    const double middle = 0.5 * (light + dense);
+    const double reached = std::visit([&](const auto& law) { return law.pressure(middle, 0.0); }, eos);
+    (reached < pressure ? light : dense) = middle;
+  }
+  return light;
 }
 
 MomentumForm momentum_form_of(const Scene& scene) {
@@ -68,6 +94,9 @@ void add_forces(const Scene& scene, FieldStore& fields, Recipe<D>& recipe) {
                                              .softening = scene.shock.softening};
     recipe.forces.push_back(std::make_unique<Viscosity<D>>(coefficients));
   }
+  const auto is_viscous = [](const MaterialDescription& material) { return material.viscosity > 0.0; };
+  if (std::any_of(scene.materials.begin(), scene.materials.end(), is_viscous))
+    recipe.forces.push_back(std::make_unique<LaminarViscosity<D>>());
 }
 
 template <int D>
@@ -82,21 +111,6 @@ void add_filters(const Scene& scene, Recipe<D>& recipe) {
   const double reference_step = 0.3 * scene.discretisation.smoothing_ratio * scene.discretisation.spacing / fastest;
   recipe.filters.push_back(
       std::make_unique<ConservativeSmoothing<D>>(form, scene.stabiliser.conservative_smoothing, reference_step));
-}
-
-template <int D>
-void add_boundaries(const Scene& scene, Recipe<D>& recipe) {
-  for (const auto& boundary : scene.boundaries) {
-    if (boundary.entry.type == "pressure" && D == 1) continue;
-    if (boundary.entry.type != "rigid_wall")
-      throw InputError("boundary '" + boundary.name + "' has type '" + boundary.entry.type +
-                       "', which no solver knows");
-    const Parameters& parameters = boundary.entry.parameters;
-    if (parameters.text("contact") == "penalty") continue;
-    recipe.boundaries.push_back(std::make_unique<RigidWall<D>>(boundary.name, vector_of<D>(parameters.numbers("point")),
-                                                               vector_of<D>(parameters.numbers("normal")).normalized(),
-                                                               scene.discretisation.spacing));
-  }
 }
 
 PressureLoad make_load(const Scene& scene, const BoundaryDescription& boundary,
@@ -139,7 +153,7 @@ std::vector<Surface<D>> surfaces_of(const Scene& scene, const std::vector<Partic
   for (std::size_t b = 0; b < surfaces.size(); ++b) {
     Surface<D>& surface = surfaces[b];
     surface.facets = place_body<D>(scene.bodies[b], scene.discretisation.spacing).facets;
-    for (Facet<D>& facet : surface.facets)
+    for (BodyFacet<D>& facet : surface.facets)
       for (std::size_t k = 0; k < (D == 1 ? 1 : facet.size()); ++k) {
         facet[k] += ranges[b].begin;
         surface.particles.push_back(facet[k]);
@@ -175,6 +189,20 @@ void add_wall_penalties(const Scene& scene, const std::vector<ParticleRange>& ra
   }
 }
 
+template <int D>
+void add_walls(const Scene& scene, const Walls<D>& walls, FieldStore& fields, Recipe<D>& recipe) {
+  if (walls.empty()) return;
+  double stiffest = 0.0, fastest = 0.0;
+  for (const auto& material : scene.materials) {
+    const double speed = bulk_sound_speed(material);
+    stiffest = std::max(stiffest, material.density * speed * speed);
+    fastest = std::max(fastest, speed);
+    recipe.wall_sound_speed = std::max(recipe.wall_sound_speed, elastic_wave_speed(material));
+    recipe.wall_viscosity = std::max(recipe.wall_viscosity, material.viscosity);
+  }
+  add_wall_forces<D>(scene, walls, stiffest, fastest, fields, recipe);
+}
+
 template <class Terms>
 PairNeeds needs_of(const Terms& terms) {
   PairNeeds needs;
@@ -190,7 +218,7 @@ PairNeeds needs_of(const Terms& terms) {
 }  // namespace
 
 template <int D>
-FieldStore place_particles(const Scene& scene, std::vector<ParticleRange>& ranges) {
+FieldStore place_particles(const Scene& scene, std::vector<ParticleRange>& ranges, Walls<D>& walls) {
   std::vector<PlacedBody<D>> placed;
   std::size_t particles = 0;
   for (const auto& body : scene.bodies) {
@@ -199,19 +227,33 @@ FieldStore place_particles(const Scene& scene, std::vector<ParticleRange>& range
     particles += placed.back().positions.size();
     ranges.push_back({static_cast<std::int32_t>(begin), static_cast<std::int32_t>(particles)});
   }
-  FieldStore fields(particles);
+  walls = plan_walls<D>(scene, particles);
+  FieldStore fields(walls.empty() ? particles : walls.back()->range().last());
   for (const FieldKey* key : {&field::position, &field::initial_position, &field::velocity}) fields.require(*key, D);
   for (const FieldKey* key : {&field::mass, &field::density, &field::smoothing_length}) fields.require(*key);
   for (std::size_t b = 0; b < placed.size(); ++b) {
     const double density = material_of(scene, scene.bodies[b]).density;
     const Vec<D> velocity = vector_of<D>(scene.bodies[b].velocity);
+    const auto weighed_down = [&](const Vec<D>& position) {
+      return density_under_weight<D>(scene, scene.bodies[b], position);
+    };
     for (std::size_t i = ranges[b].first(); i < ranges[b].last(); ++i) {
       const std::size_t local = i - ranges[b].first();
       fields.vector<D>(field::position)[i] = placed[b].positions[local];
       fields.vector<D>(field::initial_position)[i] = placed[b].positions[local];
       fields.vector<D>(field::velocity)[i] = velocity;
-      fields.scalar(field::mass)[i] = density * placed[b].volumes[local];
       fields.scalar(field::density)[i] = density;
+      if (scene.bodies[b].hydrostatic) fields.scalar(field::density)[i] = weighed_down(placed[b].positions[local]);
+      fields.scalar(field::mass)[i] = fields.scalar(field::density)[i] * placed[b].volumes[local];
+      fields.scalar(field::smoothing_length)[i] = scene.discretisation.smoothing_ratio * scene.discretisation.spacing;
+    }
+  }
+  for (const auto& wall : walls) {
+    const double density = scene.materials.front().density;
+    for (std::size_t i = wall->range().first(); i < wall->range().last(); ++i) {
+      fields.vector<D>(field::position)[i] = fields.vector<D>(field::initial_position)[i] = wall->position(i);
+      fields.scalar(field::density)[i] = density;
+      fields.scalar(field::mass)[i] = density * wall->volume();
       fields.scalar(field::smoothing_length)[i] = scene.discretisation.smoothing_ratio * scene.discretisation.spacing;
     }
   }
@@ -219,48 +261,56 @@ FieldStore place_particles(const Scene& scene, std::vector<ParticleRange>& range
 }
 
 template <int D>
-Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& ranges, FieldStore& fields) {
+Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& ranges, const Walls<D>& walls,
+                      FieldStore& fields) {
   Recipe<D> recipe;
+  recipe.gravity = vector_of<D>(scene.domain.gravity);
   recipe.kernel = make_kernel(scene.discretisation.kernel);
   recipe.support = std::visit([](const auto& kernel) { return kernel.support; }, recipe.kernel);
   recipe.variable_smoothing_length =
       scene.discretisation.variable_smoothing_length && scene.discretisation.method != "total_lagrangian";
   std::unique_ptr<EdgePoints<D>> edges;
+  add_boundaries(scene, recipe);
   if (scene.discretisation.method == "total_lagrangian") recipe.deformation = std::make_unique<Deformation<D>>(fields);
   if (scene.stabiliser.method == "edge_stress_points") {
-    edges = std::make_unique<EdgePoints<D>>(fields, ranges, scene.discretisation.spacing);
+    edges = std::make_unique<EdgePoints<D>>(fields, ranges, scene.discretisation.spacing, recipe.images);
     recipe.edges = edges.get();
   }
   for (std::size_t b = 0; b < ranges.size(); ++b) {
     const MaterialDescription& material = material_of(scene, scene.bodies[b]);
     const Strength strength = make_strength(material.strength);
     const Eos eos = make_eos(material.eos, material.density);
-    recipe.bodies.push_back({scene.bodies[b].name, ranges[b],
-                             make_strength_update<D>(strength, edges ? edges->fields() : fields),
-                             edges ? edges->edges_from(ranges[b]) : ranges[b], make_eos_update<D>(eos, fields), nullptr,
-                             scene.bodies[b].lattice == "cubic" ? 0.5 * scene.discretisation.spacing : 0.0});
+    recipe.bodies.push_back({.name = scene.bodies[b].name,
+                             .range = ranges[b],
+                             .strength = make_strength_update<D>(strength, edges ? edges->fields() : fields),
+                             .strength_range = edges ? edges->edges_from(ranges[b]) : ranges[b],
+                             .eos = make_eos_update<D>(eos, fields),
+                             .lateral_release = nullptr,
+                             .face_distance =
+                                 scene.bodies[b].lattice == "cubic" ? 0.5 * scene.discretisation.spacing : 0.0,
+                             .viscosity = material.viscosity});
     if (scene.domain.strain_state == "uniaxial_stress")
       recipe.bodies.back().lateral_release = make_lateral_release(strength, eos, fields);
   }
   add_forces(scene, fields, recipe);
   if (edges) recipe.forces.push_back(std::move(edges));
   add_filters(scene, recipe);
-  add_boundaries(scene, recipe);
   add_wall_penalties(scene, ranges, fields, recipe);
   if (recipe.deformation && scene.bodies.size() > 1)
     recipe.contact =
         std::make_unique<Contact<D>>(surfaces_of<D>(scene, ranges), fields, scene.discretisation.spacing);
+  add_walls(scene, walls, fields, recipe);
   if constexpr (D == 1) add_line_terms(scene, ranges, fields, recipe);
   recipe.force_needs = needs_of(recipe.forces);
   recipe.filter_needs = needs_of(recipe.filters);
   return recipe;
 }
 
-template FieldStore place_particles<1>(const Scene&, std::vector<ParticleRange>&);
-template FieldStore place_particles<2>(const Scene&, std::vector<ParticleRange>&);
-template FieldStore place_particles<3>(const Scene&, std::vector<ParticleRange>&);
-template Recipe<1> make_recipe<1>(const Scene&, const std::vector<ParticleRange>&, FieldStore&);
-template Recipe<2> make_recipe<2>(const Scene&, const std::vector<ParticleRange>&, FieldStore&);
-template Recipe<3> make_recipe<3>(const Scene&, const std::vector<ParticleRange>&, FieldStore&);
+template FieldStore place_particles<1>(const Scene&, std::vector<ParticleRange>&, Walls<1>&);
+template FieldStore place_particles<2>(const Scene&, std::vector<ParticleRange>&, Walls<2>&);
+template FieldStore place_particles<3>(const Scene&, std::vector<ParticleRange>&, Walls<3>&);
+template Recipe<1> make_recipe<1>(const Scene&, const std::vector<ParticleRange>&, const Walls<1>&, FieldStore&);
+template Recipe<2> make_recipe<2>(const Scene&, const std::vector<ParticleRange>&, const Walls<2>&, FieldStore&);
+template Recipe<3> make_recipe<3>(const Scene&, const std::vector<ParticleRange>&, const Walls<3>&, FieldStore&);
 
 }  // namespace anvil

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "anvil/boundaries/boundary.hpp"
 #include "anvil/boundaries/contact.hpp"
+#include "anvil/boundaries/dummy_rows.hpp"
 #include "anvil/boundaries/face_ghosts.hpp"
+#include "anvil/boundaries/wall_force.hpp"
 #include "anvil/kernels/kernel.hpp"
 #include "anvil/materials/lateral_release.hpp"
 #include "anvil/materials/material_update.hpp"
+#include "anvil/pairs/images.hpp"
 #include "anvil/scene/scene.hpp"
 #include "anvil/terms/bulk_viscosity.hpp"
 #include "anvil/terms/force_term.hpp"
@@ -32,6 +36,7 @@ struct Body {
   std::unique_ptr<EosUpdate<D>> eos;
   std::unique_ptr<LateralRelease> lateral_release;  // in uniaxial stress
   double face_distance = 0.0;                       // m, from the outermost particles to the body's faces at the start
+  double viscosity = 0.0;                           // Pa s
 };
 
 /// What a step of a scene is made of, in order. Nothing in it knows the names of the scene's models any more.
@@ -51,6 +56,13 @@ struct Recipe {
   EdgePoints<D>* edges = nullptr;  // one of the forces
   std::vector<const WallPenalty<D>*> wall_penalties;  // among the forces
   std::unique_ptr<Contact<D>> contact;  // where sums do not join bodies
+  Images<D> images;                            // behind symmetry planes and mirror walls, beyond the ends of periods
+  std::vector<MirrorPlane<D>> mirror_walls;    // which particles can cross
+  std::vector<WallForceTerm<D>*> wall_forces;  // among the forces
+  bool holds_particles = false;                // whether a boundary does
+  Vec<D> gravity = Vec<D>::Zero();             // m/s2
+  double largest_step = std::numeric_limits<double>::max();  // s, that walls can bear
+  double wall_sound_speed = 0.0, wall_viscosity = 0.0;       // of dummy particles, m/s and Pa s
   // Only in one dimension, where particles form a line with two ends.
   std::vector<PressureLoad> loads;
   std::unique_ptr<FaceGhosts> face_ghosts;
@@ -58,14 +70,25 @@ struct Recipe {
   PairNeeds force_needs, filter_needs;
 };
 
-/// Places the bodies of a scene and fills the fields every scene has: position, velocity, mass, density, smoothing
-/// length.
+/// Places the bodies of a scene and behind them the dummy particles of its walls, and fills the fields every scene has:
+/// position, velocity, mass, density, smoothing length.
 template <int D>
-FieldStore place_particles(const Scene& scene, std::vector<ParticleRange>& ranges);
+FieldStore place_particles(const Scene& scene, std::vector<ParticleRange>& ranges, Walls<D>& walls);
 
 /// Translates a scene into a recipe: the only place that knows the names of models. Throws InputError when a choice
 /// cannot work with another.
 template <int D>
-Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& ranges, FieldStore& fields);
+Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& ranges, const Walls<D>& walls,
+                      FieldStore& fields);
+
+// The parts of it that know the names of boundaries.
+template <int D>
+Walls<D> plan_walls(const Scene& scene, std::size_t first_particle);
+template <int D>
+void add_boundaries(const Scene& scene, Recipe<D>& recipe);
+/// `bulk_modulus` (Pa) and `sound_speed` (m/s) of the stiffest material.
+template <int D>
+void add_wall_forces(const Scene& scene, const Walls<D>& walls, double bulk_modulus, double sound_speed,
+                     FieldStore& fields, Recipe<D>& recipe);
 
 }  // namespace anvil

@@ -9,10 +9,6 @@
 namespace anvil {
 namespace {
 
-/// Particles per tile: the gradients of their pairs, some 70 of 24 bytes per particle, stay in the second-level cache.
-/// Tiles of 32 and 128 took 1 to 4 % less time in two runs of benchmark_rod, no more than its noise.
-constexpr std::int32_t tile_size = 64;
-
 /// Thickness of the neighbour list's skin over the spacing: rows grow by a third, and a rod at 227 m/s keeps its list
 /// for 8 steps right after the impact. By benchmark_rod the optimum is flat: 0.2 and 0.4 differ by less than 5 %.
 constexpr double skin_ratio = 0.3;
@@ -22,8 +18,8 @@ constexpr double skin_ratio = 0.3;
 template <int D>
 Solver<D>::Solver(const Scene& scene)
     : scene_(scene),
-      fields_(place_particles<D>(scene, ranges_)),
-      recipe_(make_recipe<D>(scene, ranges_, fields_)),
+      fields_(place_particles<D>(scene, ranges_, walls_)),
+      recipe_(make_recipe<D>(scene, ranges_, walls_, fields_)),
       loops_(pair_loops<D>()),
       kernel_loops_(loops_.kernels[recipe_.kernel.index()]),
       medium_needed_(recipe_.force_needs.medium || recipe_.filter_needs.medium),
@@ -55,6 +51,7 @@ Solver<D>::Solver(const Scene& scene)
   }
   make_tiles();
   records_.resize(particle_count(), medium_needed_, recipe_.deformation != nullptr);
+  make_wall_tiles();
   if (recipe_.deformation)
     freeze_pairs();
   else
@@ -76,8 +73,9 @@ void Solver<D>::make_tiles() {
 template <int D>
 void Solver<D>::size_scratch() {
   std::int64_t most = 0;
-  for (const Tile& tile : tiles_)
-    most = std::max(most, neighbours_.first()[tile.range.end] - neighbours_.first()[tile.range.begin]);
+  for (const auto* tiles : {&tiles_, &wall_tiles_})
+    for (const Tile& tile : *tiles)
+      most = std::max(most, neighbours_.first()[tile.range.end] - neighbours_.first()[tile.range.begin]);
   std::int32_t most_edges = 0;
   if (recipe_.edges)
     for (const Tile& tile : tiles_) most_edges = std::max(most_edges, recipe_.edges->edges_from(tile.range).count());
@@ -88,7 +86,7 @@ void Solver<D>::size_scratch() {
       for (auto& component : scratch.gradient) component.resize(std::max(pairs, component.size()));
     if (recipe_.corrected_gradients && recipe_.force_needs.gradient && recipe_.force_needs.plain_gradient)
       for (auto& component : scratch.plain_gradient) component.resize(std::max(pairs, component.size()));
-    if (recipe_.force_needs.value || recipe_.filter_needs.value)
+    if (recipe_.force_needs.value || recipe_.filter_needs.value || !walls_.empty())
       scratch.value.resize(std::max(pairs, scratch.value.size()));
     scratch.per_particle.resize(static_cast<std::size_t>(tile_size) * D * D);
     scratch.loss.resize(tile_size);
@@ -148,9 +146,11 @@ void Solver<D>::pack_motion(ParticleRange range) {
 
 template <int D>
 void Solver<D>::list_neighbours() {
-  neighbours_.build(position_, smoothing_length_, recipe_.support, skin_, loops_);
+  if (recipe_.images.wraps()) wrap_positions();
+  if (recipe_.images.possible()) find_images();
+  neighbours_.build(position_, smoothing_length_, recipe_.support, skin_, loops_, recipe_.images.sites());
   if constexpr (D == 1)
-    if (recipe_.face_ghosts) recipe_.face_ghosts->list(neighbours_, records_, skin_);
+    if (recipe_.face_ghosts) recipe_.face_ghosts->list(neighbours_, records_, skin_, recipe_.images.count());
   size_scratch();
   for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) {
     for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
@@ -158,6 +158,7 @@ void Solver<D>::list_neighbours() {
       if (smoothing_length_varies_) listed_smoothing_length_[i] = smoothing_length_[i];
     }
   });
+  list_walls();
   ++list_builds_;
 }
 
@@ -178,21 +179,60 @@ void Solver<D>::freeze_pairs() {
   std::vector<std::int32_t> body_of(particle_count());
   for (std::size_t b = 0; b < ranges_.size(); ++b)
     std::fill(body_of.begin() + ranges_[b].begin, body_of.begin() + ranges_[b].end, static_cast<std::int32_t>(b));
-  neighbours_.build(initial_position_, smoothing_length_, recipe_.support, 0.0, loops_);
+  find_images();
+  neighbours_.build(initial_position_, smoothing_length_, recipe_.support, 0.0, loops_, recipe_.images.sites());
+  const auto source = [&](std::int32_t record) {
+    const auto j = static_cast<std::size_t>(record);
+    return j < particle_count() ? j : recipe_.images.source(j - records_.first_image());
+  };
   neighbours_.keep_only(
-      [&](std::int32_t i, std::int32_t j) {
-        return body_of[static_cast<std::size_t>(i)] == body_of[static_cast<std::size_t>(j)];
-      },
+      [&](std::int32_t i, std::int32_t j) { return body_of[static_cast<std::size_t>(i)] == body_of[source(j)]; },
       loops_.lanes);
   for (auto& component : frozen_gradient_)
     component.assign(static_cast<std::size_t>(neighbours_.first()[particle_count()]), 0.0);
   size_scratch();
   for (const auto& range : ranges_) pack_start(range);
+  fill_image_places();
   for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
     const PairTile<D> pairs = open_tile(tile, scratch, {});
     kernel_loops_.gradients(pairs, records_);
     report.uncorrected = recipe_.deformation->find_corrections(pairs, records_);
   });
+}
+
+/// Only here, so that positions run on between two lists and every pair keeps its distance.
+template <int D>
+void Solver<D>::wrap_positions() {
+  for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) {
+    for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i)
+      position_[i] = recipe_.images.wrapped(position_[i]);
+    pack_geometry(tile.range);
+  });
+}
+
+template <int D>
+void Solver<D>::find_images() {
+  double longest = 0.0;
+  for (const double h : smoothing_length_) longest = std::max(longest, h);
+  recipe_.images.find(position_, smoothing_length_, recipe_.support * longest + skin_);
+  records_.set_images(recipe_.images.count());
+}
+
+/// What sums over velocities read of images; the records of their sources are up to date.
+template <int D>
+void Solver<D>::fill_image_places() {
+  recipe_.images.fill_geometry(records_, records_.first_image());
+  recipe_.images.fill_motion(records_, records_.first_image());
+}
+
+/// What forces read of them besides.
+template <int D>
+void Solver<D>::fill_image_states() {
+  if (recipe_.deformation)
+    recipe_.images.fill_nominal(records_, records_.first_image());
+  else
+    recipe_.images.fill_traction(records_, records_.first_image());
+  if (medium_needed_) recipe_.images.fill_medium(records_, records_.first_image());
 }
 
 std::unique_ptr<Simulation> make_simulation(const Scene& scene) {
@@ -207,6 +247,8 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene) {
   template void Solver<D>::pack_geometry(ParticleRange);                             \
   template void Solver<D>::pack_motion(ParticleRange);                               \
   template void Solver<D>::freeze_pairs();                                           \
+  template void Solver<D>::fill_image_places();                                      \
+  template void Solver<D>::fill_image_states();                                      \
   template void Solver<D>::list_neighbours()
 ANVIL_INSTANTIATE(1);
 ANVIL_INSTANTIATE(2);

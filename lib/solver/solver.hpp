@@ -23,11 +23,22 @@ struct TileReport {
   double wall_loss = 0.0;                                  // J
   int uncorrected = 0;                                     // particles without a corrected gradient
   Vec<D> wall_impulse = Vec<D>::Zero();                    // N s, on the particles
+  Vec<D> force_impulse = Vec<D>::Zero();                   // N s, of all sums over pairs; only with images
+  double gravity_work = 0.0;                               // J
   Vec<D> least_displacement, greatest_displacement;        // m, since the neighbour list was made
   double greatest_growth = 0.0;                            // m, of smoothing lengths since then
   double step_limit = std::numeric_limits<double>::max();  // s
   std::int32_t limiting_particle = -1;
   std::int32_t broken_particle = -1;  // the first whose numbers are no longer any, or that went where none may
+};
+
+/// The same for a tile of dummy particles.
+template <int D>
+struct WallReport {
+  Vec<D> impulse = Vec<D>::Zero();  // N s, on the wall
+  double stress_work = 0.0;         // J, of the stress of the wall on what strains beside it
+  double motion_work = 0.0;         // J, of the force on the wall along its velocity
+  double viscous_loss = 0.0;        // J
 };
 
 /// What left the bodies or changed its kind since the start.
@@ -41,8 +52,12 @@ struct Ledger {
   Vec<D> smoothing_impulse = Vec<D>::Zero();  // N s
   Vec<D> wall_impulse = Vec<D>::Zero();       // N s
   Vec<D> pressure_impulse = Vec<D>::Zero();   // N s
+  Vec<D> gravity_impulse = Vec<D>::Zero();    // N s
   double pressure_work = 0.0;                 // J, done on the bodies
   double uncorrected = 0.0;                   // sum over the steps of the particles that kept plain gradients
+  double gravity_work = 0.0;                  // J, done on the bodies
+  double wall_work = 0.0;                     // J, done on the bodies by walls of dummy particles
+  double penetrations = 0.0;                  // particles that went through such a wall
   double start_energy = 0.0;                  // J
   Vec<D> start_momentum = Vec<D>::Zero();     // N s
 };
@@ -83,6 +98,10 @@ class Solver final : public Simulation {
   void load_faces(double kick);
   void kick_loaded_faces();
   void account_loads();
+  void account_mirror_planes();
+  void account_gravity(const Tile& tile, TileReport<D>& report);
+  bool is_held(const Tile& tile) const;
+  void stop_straining_held(const Tile& tile, double* velocity_gradient) const;
   void filter_velocities(double time_step);
   void transport_velocities();
   void move(double time_step);
@@ -119,6 +138,25 @@ class Solver final : public Simulation {
   void freeze_pairs();
   void pack_start(ParticleRange range);
   void note_displacements(ParticleRange range, TileReport<D>& report);
+  void wrap_positions();
+  void find_images();
+  void fill_image_places();
+  void fill_image_states();
+
+  // walls.cpp
+  [[nodiscard]] std::size_t bodies_end() const { return ranges_.back().last(); }  // where dummy particles begin
+  template <class Work>
+  void for_each_wall_tile(Work&& work);
+  template <class Take>
+  void for_each_beside(const PairTile<D>& pairs, std::size_t dummy, Take&& take) const;
+  void make_wall_tiles();
+  void list_walls();
+  void weigh_walls(bool shown);
+  void move_walls(double time_step);
+  void load_walls(double kick);
+  void interpolate(const PairTile<D>& pairs, const DummyRows<D>& wall, std::size_t dummy);
+  double stress_power(std::size_t particle, const double* gradient) const;
+  void count_penetrations(double time_step);
 
   // guards.cpp
   void check_reports() const;
@@ -134,7 +172,8 @@ class Solver final : public Simulation {
   std::int64_t count_pairs() const;
 
   Scene scene_;
-  std::vector<ParticleRange> ranges_;
+  std::vector<ParticleRange> ranges_;  // of the bodies
+  Walls<D> walls_;
   FieldStore fields_;
   Recipe<D> recipe_;
   const PairLoops<D>& loops_;
@@ -144,6 +183,10 @@ class Solver final : public Simulation {
   PairRecords<D> records_;
   std::vector<Tile> tiles_;
   std::vector<TileReport<D>> reports_;
+  std::vector<Tile> wall_tiles_;  // whose `body` is the number of the wall
+  std::vector<WallReport<D>> wall_reports_;
+  std::vector<double> wall_weight_;  // of dummy particles in momentum sums
+  double* wall_deviator_ = nullptr;  // of all particles, packed; null in a fluid
   std::vector<Scratch> scratch_;
   bool medium_needed_ = false;
   bool smoothing_length_varies_ = true;
@@ -162,6 +205,7 @@ class Solver final : public Simulation {
   std::vector<double> face_stress_;  // Pa, by load: the mean over the kick
 
   double skin_ = 0.0;  // m
+  double kick_ = 0.0;  // s, of the present step
   double time_ = 0.0, time_step_ = 0.0, step_limit_ = 0.0, first_step_limit_ = 0.0;
   std::int32_t limiting_particle_ = -1;
   std::int64_t step_ = 0, list_builds_ = 0;

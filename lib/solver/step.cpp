@@ -57,28 +57,50 @@ void Solver<D>::accelerate(double kick) {
       pack_geometry(tile.range);
       pack_motion(tile.range);
     });
+  kick_ = kick;
+  if (!walls_.empty()) load_walls(kick);
+  fill_image_places();
+  fill_image_states();
   load_faces(kick);
   for_each_tile(
       [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) { accelerate_tile(tile, scratch, kick, report); });
   kick_loaded_faces();
   for (const auto& report : reports_) ledger_.viscous_loss += report.viscous_loss;
   for (const auto* penalty : recipe_.wall_penalties) ledger_.wall_impulse += kick * penalty->force();
+  if (recipe_.images.reflect()) account_mirror_planes();
+}
+
+/// The force of a pair of a particle and an image has no partner among the particles: its part normal to the planes is
+/// what they push with. Along them the images' forces cancel, so that an error of the sums still shows.
+template <int D>
+void Solver<D>::account_mirror_planes() {
+  Vec<D> impulse = Vec<D>::Zero();
+  for (const auto& report : reports_) impulse += report.force_impulse;
+  ledger_.wall_impulse += recipe_.images.push_directions() * impulse;
 }
 
 template <int D>
 void Solver<D>::accelerate_tile(const Tile& tile, Scratch& scratch, double kick, TileReport<D>& report) {
-  const PairTile<D> pairs = open_tile(tile, scratch, recipe_.force_needs);
   double* acceleration = scratch.per_particle.data();
   std::fill_n(acceleration, tile.range.count() * D, 0.0);
   std::fill_n(scratch.loss.data(), tile.range.count(), 0.0);
-  for (const auto& force : recipe_.forces) force->accumulate(pairs, records_, acceleration, scratch.loss.data());
+  if (!(recipe_.holds_particles && is_held(tile))) {
+    const PairTile<D> pairs = open_tile(tile, scratch, recipe_.force_needs);
+    for (const auto& force : recipe_.forces) force->accumulate(pairs, records_, acceleration, scratch.loss.data());
+  }
+  const Vec<D> fall = kick * recipe_.gravity;
   report.viscous_loss = 0.0;
   for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
     const std::size_t local = i - tile.range.first();
     if (velocities_filtered_) start_velocity_[i] = velocity_[i];
     for (std::size_t a = 0; a < D; ++a) velocity_.raw()[i * D + a] += kick * acceleration[local * D + a];
+    velocity_[i] += fall;
     report.viscous_loss += kick * mass_[i] * scratch.loss[local];
   }
+  if (!recipe_.images.reflect()) return;
+  report.force_impulse.setZero();
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i, acceleration += D)
+    report.force_impulse += kick * mass_[i] * Eigen::Map<const Vec<D>>(acceleration);
 }
 
 template <int D>
@@ -86,6 +108,7 @@ void Solver<D>::filter_velocities(double time_step) {
   for (const auto& filter : recipe_.filters) {
     // A filter reads the neighbours' velocities of before it: from the records, while it writes the fields.
     for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) { pack_motion(tile.range); });
+    fill_image_places();
     for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
       filter_tile(tile, *filter, scratch, time_step, report);
     });
@@ -131,6 +154,7 @@ void Solver<D>::move(double time_step) {
   for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
     if (!recipe_.contact) keep_in_bounds(tile, scratch, report);
     move_tile(tile, time_step, report);
+    if (!recipe_.gravity.isZero(0.0)) account_gravity(tile, report);
     if (recipe_.deformation) return pack_motion(tile.range);
     pack_geometry(tile.range);
     pack_motion(tile.range);
@@ -139,6 +163,13 @@ void Solver<D>::move(double time_step) {
     ledger_.wall_impulse += report.wall_impulse;
     ledger_.wall_loss += report.wall_loss;
   }
+  if (!recipe_.gravity.isZero(0.0)) {
+    double mass = 0.0;
+    for (std::size_t i = 0; i < bodies_end(); ++i) mass += mass_[i];
+    ledger_.gravity_impulse += kick_ * mass * recipe_.gravity;
+    for (const auto& report : reports_) ledger_.gravity_work += report.gravity_work;
+  }
+  count_penetrations(time_step);
   account_loads();
   check_reports();  // before the neighbour search meets a position that is none
 }
@@ -165,6 +196,37 @@ void Solver<D>::apply_boundaries(const Tile& tile, Scratch& scratch, double time
       twice_mean += start_velocity_[i] + (incoming - recorded);  // the filter's mean lacked this impulse
     report.wall_loss -= 0.5 * mass_[i] * change.dot(twice_mean);
     report.wall_impulse += mass_[i] * change;
+  }
+}
+
+/// See the energy account above. The records still hold the velocities before the kick or, with a filter, before it.
+template <int D>
+void Solver<D>::account_gravity(const Tile& tile, TileReport<D>& report) {
+  const Vec<D> fall = kick_ * recipe_.gravity;
+  report.gravity_work = 0.0;
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
+    Vec<D> before = Eigen::Map<const Vec<D>>(records_.motion[i]);
+    if (velocities_filtered_) before = start_velocity_[i];
+    report.gravity_work += 0.5 * mass_[i] * fall.dot(before + velocity_[i]);
+  }
+}
+
+/// Whether a boundary carries all particles of a tile.
+template <int D>
+bool Solver<D>::is_held(const Tile& tile) const {
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
+    const auto holds = [&](const auto& boundary) { return boundary->holds(position_[i]); };
+    if (std::none_of(recipe_.boundaries.begin(), recipe_.boundaries.end(), holds)) return false;
+  }
+  return true;
+}
+
+template <int D>
+void Solver<D>::stop_straining_held(const Tile& tile, double* velocity_gradient) const {
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i, velocity_gradient += D * D) {
+    const auto holds = [&](const auto& boundary) { return boundary->holds(position_[i]); };
+    if (std::any_of(recipe_.boundaries.begin(), recipe_.boundaries.end(), holds))
+      std::fill_n(velocity_gradient, D * D, 0.0);
   }
 }
 
@@ -207,11 +269,14 @@ void Solver<D>::refresh_neighbours() {
     greatest = greatest.cwiseMax(report.greatest_displacement);
     growth = std::max(growth, report.greatest_growth);
   }
+  if (recipe_.images.possible()) recipe_.images.widen(least, greatest);
   if ((greatest - least).norm() + recipe_.support * growth > skin_) list_neighbours();
 }
 
 template <int D>
 void Solver<D>::strain(double time_step) {
+  if (!walls_.empty()) move_walls(time_step);
+  fill_image_places();
   if (recipe_.deformation) return strain_from_reference(time_step);
   if constexpr (D == 1)
     if (recipe_.face_ghosts) recipe_.face_ghosts->hide(records_);
@@ -221,8 +286,9 @@ void Solver<D>::strain(double time_step) {
       deform_tile(tile, scratch, time_step, report);
     });
     transport_densities();
-    for_each_tile(
-        [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) { respond_tile(tile, scratch, time_step, report); });
+    for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+      respond_tile(tile, scratch, time_step, report);
+    });
   } else {
     for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
       deform_tile(tile, scratch, time_step, report);
@@ -244,6 +310,7 @@ void Solver<D>::collect_strain_reports() {
       limiting_particle_ = report.limiting_particle;
     }
   }
+  step_limit_ = std::min(step_limit_, recipe_.largest_step);
 }
 
 template <int D>
@@ -252,10 +319,11 @@ void Solver<D>::deform_tile(const Tile& tile, Scratch& scratch, double time_step
   double* velocity_gradient = scratch.per_particle.data();
   report.plastic_work = 0.0;
   report.uncorrected = 0;
-  if (time_step > 0.0) {
+  if (time_step > 0.0 && !(recipe_.holds_particles && is_held(tile))) {
     const PairTile<D> pairs = open_tile(tile, scratch, {.gradient = true});
     report.uncorrected = pairs.uncorrected;
     loops_.velocity_gradient(pairs, records_, velocity_gradient);
+    if (recipe_.holds_particles) stop_straining_held(tile, velocity_gradient);
     take_to_mid_step<D>(velocity_gradient, tile.range.count(), time_step);
     const double* lateral_rate = nullptr;
     if (body.lateral_release) {
@@ -271,7 +339,14 @@ void Solver<D>::deform_tile(const Tile& tile, Scratch& scratch, double time_step
 template <int D>
 void Solver<D>::respond_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
   const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];
+  const bool limited = body.strength->limits_pressure();
+  double* kept = scratch.per_particle.data();
+  if (limited) std::copy_n(pressure_.data() + tile.range.begin, tile.range.count(), kept);
   body.eos->update(tile.range, scratch.sound_speed.data());
+  if (limited && time_step > 0.0)
+    report.plastic_work += body.strength->limit(tile.range, scratch.sound_speed.data());
+  else if (limited)  // the stress stays that of the last step, to the bit
+    std::copy_n(kept, tile.range.count(), pressure_.data() + tile.range.begin);
   if (recipe_.bulk_viscosity && time_step > 0.0)
     report.bulk_viscous_loss = recipe_.bulk_viscosity->update(tile.range, scratch.per_particle.data(),
                                                               scratch.sound_speed.data(), time_step);
@@ -294,19 +369,24 @@ void Solver<D>::update_density(ParticleRange range, const double* velocity_gradi
   }
 }
 
-/// The time step rule dt = cfl h / (c + |v|), c the longitudinal wave speed (Long 2007, equation 12).
+/// The time step rule dt = cfl h / (c + |v|), c the longitudinal wave speed (Long 2007, equation 12), and for viscous
+/// fluids dt = h^2 / (8 nu).
 template <int D>
 void Solver<D>::pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report) {
-  const double shear_modulus = recipe_.bodies[static_cast<std::size_t>(tile.body)].strength->shear_modulus();
+  const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];
+  const double shear_modulus = body.strength->shear_modulus();
   report.step_limit = std::numeric_limits<double>::max();
   for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
     const double wave_speed = std::sqrt(*bulk_sound_speed_squared++ + 4.0 / 3.0 * shear_modulus / density_[i]);
-    const double limit = scene_.time.cfl * smoothing_length_[i] / (wave_speed + velocity_[i].norm());
+    double limit = scene_.time.cfl * smoothing_length_[i] / (wave_speed + velocity_[i].norm());
+    if (body.viscosity > 0.0)  // Morris, Fox and Zhu 1997, equation 24
+      limit = std::min(limit, 0.125 * smoothing_length_[i] * smoothing_length_[i] * density_[i] / body.viscosity);
     if (medium_needed_) {
       double* medium = records_.medium[i];
       medium[0] = wave_speed;
       medium[1] = density_[i];
       medium[2] = mass_[i];
+      medium[3] = body.viscosity;
     }
     const bool sound = density_[i] > 0.0 && smoothing_length_[i] > 0.0 && limit > 0.0 && std::isfinite(pressure_[i]);
     if (!sound && report.broken_particle < 0) report.broken_particle = static_cast<std::int32_t>(i);

@@ -8,6 +8,7 @@
 
 #include "anvil/kernels/lattice_sum.hpp"
 #include "anvil/measures/wave_comparison.hpp"
+#include "anvil/study/flow_measures.hpp"
 #include "anvil/study/wave_speed.hpp"
 
 namespace anvil {
@@ -57,6 +58,16 @@ constexpr std::array measure_table = {
     StudyMeasure{"stress_overshoot", "", compared},
     StudyMeasure{"rise_width", "spacing", compared},
     StudyMeasure{"plateau_error", "", compared},
+    StudyMeasure{"front", "m", front},
+    StudyMeasure{"height", "m", height},
+    StudyMeasure{"fastest", "m/s", fastest_speed},
+    StudyMeasure{"penetrations", "", audited},
+    StudyMeasure{"kinetic_energy", "J", audited},
+    StudyMeasure{"energy_error", "J", audited},
+    StudyMeasure{"wall_work", "J", audited},
+    StudyMeasure{"energy_growth", "", energy_growth},
+    StudyMeasure{"poiseuille_error", "", poiseuille_error},
+    StudyMeasure{"step_cost", "us", step_cost},
 };
 
 }  // namespace

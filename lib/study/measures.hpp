@@ -9,6 +9,7 @@
 #include "anvil/exact/scene_reference.hpp"
 #include "anvil/output/frame.hpp"
 #include "anvil/scene/scene.hpp"
+#include "anvil/solver/simulation.hpp"
 
 namespace anvil {
 
@@ -18,6 +19,9 @@ struct StudySample {
   const std::vector<Frame>& frames;              // at the times of the study
   std::size_t number;                            // of the time that is measured
   std::function<const SceneReference&()> exact;  // at the same times; solved when it is asked for first
+  std::vector<AuditValue> audit;                 // at the time that is measured
+  double last_time_step;                         // s
+  double step_cost;                              // s per particle and step so far
 };
 
 /// One number that is read off a run at a time; NaN where the run does not show it.

@@ -105,7 +105,11 @@ void perform(const StudyGrid& grid, ExactSolutions& exact, StudyRun& run) {
     run.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     run.steps = simulation->step();
     frames.push_back(simulation->frame());
-    measure(grid, {scene, frames, number, [&]() -> const SceneReference& { return exact.of(scene, grid.times); }}, run);
+    const double particle_steps = static_cast<double>(run.steps) * static_cast<double>(run.particles);
+    measure(grid,
+            {scene, frames, number, [&]() -> const SceneReference& { return exact.of(scene, grid.times); },
+             simulation->audit(), simulation->last_time_step(), run.seconds / particle_steps},
+            run);
   }
   run.status = StudyStatus::finished;
 }

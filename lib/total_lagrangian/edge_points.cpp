@@ -11,15 +11,34 @@
 namespace anvil {
 
 template <int D>
-EdgePoints<D>::EdgePoints(FieldStore& particles, const std::vector<ParticleRange>& bodies, double spacing)
+EdgePoints<D>::EdgePoints(FieldStore& particles, const std::vector<ParticleRange>& bodies, double spacing,
+                          const Images<D>& images)
     : position_(particles.vector<D>(field::position)),
       velocity_(particles.vector<D>(field::velocity)),
       initial_position_(particles.vector<D>(field::initial_position)),
       mass_(particles.scalar(field::mass)),
       density_(particles.scalar(field::density)) {
+  find_turns(spacing, images);
   find_edges(bodies, spacing);
   list_incidences();
   share_volumes();
+}
+
+template <int D>
+void EdgePoints<D>::find_turns(double spacing, Images<D> images) {
+  transforms_of_.assign(mass_.size(), -1);
+  if (!images.possible()) return;
+  const double same_place = 1e-6 * spacing;
+  images.find(initial_position_, std::vector<double>(mass_.size(), spacing), spacing);
+  for (std::size_t g = 0; g < images.count(); ++g) {
+    const std::size_t i = images.source(g);
+    if ((images.sites().position[g] - initial_position_[i]).norm() > same_place) continue;
+    if (transforms_of_[i] < 0) {
+      transforms_of_[i] = static_cast<std::int32_t>(transforms_.size());
+      transforms_.push_back({Transform<D>()});
+    }
+    transforms_[static_cast<std::size_t>(transforms_of_[i])].push_back(images.transform(g));
+  }
 }
 
 template <int D>
@@ -37,7 +56,14 @@ void EdgePoints<D>::find_edges(const std::vector<ParticleRange>& bodies, double 
       const auto j = static_cast<std::size_t>(near.neighbours()[k]);
       if (j <= i || j >= particles || body_of[i] != body_of[j]) continue;
       const Vec<D> apart = initial_position_[i] - initial_position_[j];
-      edges_.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), apart.normalized(), apart.norm(), 0.0});
+      edges_.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), apart.normalized(), apart.norm(), 0.0, 1.0});
+      if (transforms_of_[i] < 0) continue;
+      const auto& keep_first = transforms_[static_cast<std::size_t>(transforms_of_[i])];
+      const auto keeps_second = [&](const Transform<D>& transform) {
+        return (transform(initial_position_[j]) - initial_position_[j]).norm() < 1e-6 * spacing;
+      };
+      edges_.back().part =
+          1.0 / static_cast<double>(std::count_if(keep_first.begin(), keep_first.end(), keeps_second));
     }
   }
   first_edge_.push_back(static_cast<std::int32_t>(edges_.size()));
@@ -65,15 +91,20 @@ void EdgePoints<D>::share_volumes() {
   fields_ = FieldStore(edges_.size());
   for (const FieldKey* key : {&field::mass, &field::density}) fields_.require(*key);
   fields_.require(field::deviatoric_stress, StrainStateOf<D>::Type::components);
+  // On planes both the volume of a particle and the number of its edges are those on this side: the quotient is that of
+  // the whole body.
   const auto share = [&](std::int32_t end) {
     const auto i = static_cast<std::size_t>(end);
-    return mass_[i] / density_[i] / (first_incidence_[i + 1] - first_incidence_[i]);
+    double edges = 0.0;
+    for (std::int32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k)
+      edges += edges_[static_cast<std::size_t>(incidences_[static_cast<std::size_t>(k)].edge)].part;
+    return mass_[i] / density_[i] / edges;
   };
   for (std::size_t e = 0; e < edges_.size(); ++e) {
     const double density = density_[static_cast<std::size_t>(edges_[e].first)];
     edges_[e].volume = share(edges_[e].first) + share(edges_[e].second);
     fields_.scalar(field::density)[e] = density;
-    fields_.scalar(field::mass)[e] = density * edges_[e].volume;
+    fields_.scalar(field::mass)[e] = density * edges_[e].volume * edges_[e].part;
   }
   share_.assign(edges_.size() * D * D, 0.0);
   pull_.assign(edges_.size() * D, 0.0);
@@ -121,10 +152,18 @@ void EdgePoints<D>::pull_back(ParticleRange edges) {
 
 template <int D>
 void EdgePoints<D>::add_nominal_stress(std::size_t i, Square<D>& sum) const {
+  Square<D> own = Square<D>::Zero();
   for (std::int32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
     const auto e = static_cast<std::size_t>(incidences_[static_cast<std::size_t>(k)].edge);
-    sum += ConstSquareMap<D>(&share_[e * D * D]);
+    own += edges_[e].part * ConstSquareMap<D>(&share_[e * D * D]);
   }
+  if (transforms_of_[i] < 0) {
+    sum += own;
+    return;
+  }
+  const auto& transforms = transforms_[static_cast<std::size_t>(transforms_of_[i])];
+  for (const Transform<D>& transform : transforms)
+    sum += transform.turn * own * transform.turn.transpose() / static_cast<double>(transforms.size());
 }
 
 template <int D>
@@ -134,7 +173,14 @@ void EdgePoints<D>::accumulate(const PairTile<D>& tile, const PairRecords<D>& /*
     Vec<D> force = Vec<D>::Zero();
     for (std::int32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
       const Incidence& incidence = incidences_[static_cast<std::size_t>(k)];
-      force -= incidence.sign * Eigen::Map<const Vec<D>>(&pull_[static_cast<std::size_t>(incidence.edge) * D]);
+      const auto e = static_cast<std::size_t>(incidence.edge);
+      force -= incidence.sign * edges_[e].part * Eigen::Map<const Vec<D>>(&pull_[e * D]);
+    }
+    if (transforms_of_[i] >= 0) {
+      const auto& transforms = transforms_[static_cast<std::size_t>(transforms_of_[i])];
+      Vec<D> all = Vec<D>::Zero();
+      for (const Transform<D>& transform : transforms) all += transform.turn * force;
+      force = all / static_cast<double>(transforms.size());
     }
     Eigen::Map<Vec<D>> own(acceleration);
     own += force / mass_[i];
@@ -151,9 +197,10 @@ std::vector<double> EdgePoints<D>::mean_at_particles(const FieldKey& key) const 
     double volume = 0.0;
     for (std::int32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
       const auto e = static_cast<std::size_t>(incidences_[static_cast<std::size_t>(k)].edge);
-      volume += edges_[e].volume;
+      const double weight = edges_[e].volume * edges_[e].part;
+      volume += weight;
       for (std::size_t c = 0; c < components; ++c)
-        mean[i * components + c] += edges_[e].volume * field->values[e * components + c];
+        mean[i * components + c] += weight * field->values[e * components + c];
     }
     if (volume == 0.0) continue;
     for (std::size_t c = 0; c < components; ++c) mean[i * components + c] /= volume;

@@ -5,6 +5,7 @@
 
 #include "anvil/core/fields.hpp"
 #include "anvil/core/particle_range.hpp"
+#include "anvil/pairs/images.hpp"
 #include "anvil/terms/force_term.hpp"
 #include "anvil/total_lagrangian/deformation.hpp"
 
@@ -19,8 +20,10 @@ namespace anvil {
 template <int D>
 class EdgePoints final : public ForceTerm<D> {
  public:
-  /// Edges join particles of one body at a distance of about `spacing` (m), measured where they start.
-  EdgePoints(FieldStore& particles, const std::vector<ParticleRange>& bodies, double spacing);
+  /// Edges join particles of one body at a distance of about `spacing` (m), measured where they start. Symmetry planes
+  /// of `images` may hold particles on them: these stand for whole ones, and have the edges behind the planes as well.
+  EdgePoints(FieldStore& particles, const std::vector<ParticleRange>& bodies, double spacing,
+             const Images<D>& images = {});
 
   /// Mass, density and what strength laws require, by edge.
   [[nodiscard]] FieldStore& fields() { return fields_; }
@@ -53,13 +56,15 @@ class EdgePoints final : public ForceTerm<D> {
     std::int32_t first, second;
     Vec<D> direction;  // N, from the second end to the first
     double length;     // |X_ij|, m
-    double volume;     // V_e
+    double volume;     // V_e of the whole edge, also where planes cut it lengthwise
+    double part;       // of it on this side of the planes it lies in
   };
   struct Incidence {
     std::int32_t edge;
     double sign;  // +1 at the first end, -1 at the second
   };
   void find_edges(const std::vector<ParticleRange>& bodies, double spacing);
+  void find_turns(double spacing, Images<D> images);
   void list_incidences();
   void share_volumes();
 
@@ -69,6 +74,9 @@ class EdgePoints final : public ForceTerm<D> {
   std::vector<Edge> edges_;
   std::vector<std::int32_t> first_incidence_;
   std::vector<Incidence> incidences_;
+  // What leaves a particle on symmetry planes where it is: empty away from them, else the unit matrix and the others.
+  std::vector<std::vector<Transform<D>>> transforms_;
+  std::vector<std::int32_t> transforms_of_;  // by particle, -1: away from planes
   // Of each edge, D x D: cof F_e, then V_e P_e (I - N N^T)/2 with P_e = s cof F_e, the share of each end; and the force
   // V_e P_e N/|X| that pulls its first end back.
   std::vector<double> share_, pull_;

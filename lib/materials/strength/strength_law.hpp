@@ -39,6 +39,15 @@ concept StrengthLaw = std::constructible_from<S, const Parameters&> &&
   { law.return_to_yield(deviator, history) } -> std::same_as<PlasticStep>;
 };
 
+/// A law whose yield depends on the pressure, or that changes it, also offers
+/// `PlasticStep limit(Tensor& deviator, double& pressure, double& dilation, double bulk_modulus, StrengthHistory&)`,
+/// called when the equation of state has given the pressure of the new density, and `bool dilates()`: whether the
+/// plastic volume strain `dilation` must be kept.
+template <class S>
+concept LimitsPressure = requires {
+  requires S::limits_pressure;
+};
+
 /// 3/2 t : t of a symmetric deviator, the square of its equivalent (von Mises) stress.
 ANVIL_INLINE double equivalent_stress_squared(const Tensor& deviator) {
   return 1.5 * (deviator(0, 0) * deviator(0, 0) + deviator(1, 1) * deviator(1, 1) + deviator(2, 2) * deviator(2, 2)) +

@@ -20,6 +20,8 @@ inline Parameters specimen(const EntryKind& kind, bool replace_defaults) {
   for (const Key& key : kind.keys) {
     if (key.standard && !replace_defaults) {
       parameters.set(std::string(key.name), *key.standard);
+    } else if (key.kind == ValueKind::choice) {
+      parameters.set(std::string(key.name), std::string(key.choices.back()));
     } else if (key.unit == "Pa") {
       const bool elastic_modulus = key.name == "shear_modulus" || key.name == "bulk_modulus";
       parameters.set(std::string(key.name), elastic_modulus ? 50e9 : 200e6);

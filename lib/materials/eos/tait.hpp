@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "anvil/core/inline.hpp"
+#include "anvil/scene/key.hpp"
+
+namespace anvil {
+
+/// p = B ((rho / rho0)^gamma - 1) (Tait 1888 in the form of Monaghan 1994): a liquid, made softer than it is so that
+/// flows are ten times slower than its sound. gamma B is the bulk modulus at rho0.
+class TaitEos {
+ public:
+  static EntryKind kind() {
+    return {.type = "tait",
+            .summary = "p = B ((rho / rho0)^gamma - 1), a liquid",
+            .keys = {{.name = "stiffness",
+                      .unit = "Pa",
+                      .range = Range::positive,
+                      .help = "B; 100 rho0 v^2 / gamma gives sound ten times as fast as the largest speed v"},
+                     {.name = "exponent", .standard = 7.0, .range = Range::positive, .help = "gamma"}}};
+  }
+  static constexpr bool uses_energy = false;
+
+  TaitEos(const Parameters& parameters, double reference_density)
+      : reference_density_(reference_density),
+        stiffness_(parameters.number("stiffness")),
+        exponent_(parameters.number("exponent")) {}
+
+  ANVIL_INLINE double pressure(double density, double /*energy*/) const {
+    return stiffness_ * std::expm1(exponent_ * log_compression(density));
+  }
+  ANVIL_INLINE double bulk_sound_speed_squared(double density, double energy) const {
+    return exponent_ * (pressure(density, energy) + stiffness_) / density;
+  }
+
+  /// B / rho0 ((x^(gamma - 1) - 1) / (gamma - 1) + 1 / x - 1) with x = rho / rho0.
+  ANVIL_INLINE double cold_energy(double density) const {
+    const double log_x = log_compression(density), power = exponent_ - 1.0;
+    const double stored = power == 0.0 ? log_x : std::expm1(power * log_x) / power;
+    return stiffness_ / reference_density_ * (stored + std::expm1(-log_x));
+  }
+
+ private:
+  /// ln(rho / rho0); written so that small compressions keep their digits.
+  ANVIL_INLINE double log_compression(double density) const {
+    return std::log1p((density - reference_density_) / reference_density_);
+  }
+
+  double reference_density_;  // kg/m3
+  double stiffness_;          // Pa
+  double exponent_;
+};
+
+}  // namespace anvil
