@@ -28,6 +28,7 @@ Explanation Solver<D>::explain() const {
       add("dummy_rows", "density, stress and velocity of the wall '" + wall->scene_name() + "', from those beside it");
   for (const auto& boundary : recipe_.boundaries) add(boundary->name(), boundary->purpose());
   add("velocity_gradient", "d v_a / d x_b from velocity differences");
+  if (recipe_.density_diffusion > 0.0) add("density_diffusion", "exchanges density between neighbours");
   add("continuity", smoothing_length_varies_ ? "density and smoothing length follow the divergence"
                                              : "density follows the divergence");
   for (const auto& body : recipe_.bodies) {
