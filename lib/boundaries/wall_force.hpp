@@ -32,6 +32,7 @@ class WallForce final : public WallForceTerm<D> {
         law_(law),
         name_(name),
         purpose_(purpose),
+        position_(fields.vector<D>(field::position)),
         mass_((fields.require(field::mass), fields.scalar(field::mass))),
         density_((fields.require(field::density), fields.scalar(field::density))) {}
 
@@ -69,9 +70,8 @@ class WallForce final : public WallForceTerm<D> {
   }
 
  private:
-  [[nodiscard]] static Vec<D> apart(std::size_t i, std::int32_t dummy, const PairRecords<D>& records) {
-    return Eigen::Map<const Vec<D>>(records.geometry[i]) -
-           Eigen::Map<const Vec<D>>(records.geometry[static_cast<std::size_t>(dummy)]);
+  [[nodiscard]] Vec<D> apart(std::size_t i, std::int32_t dummy, const PairRecords<D>& records) const {
+    return position_[i] - Eigen::Map<const Vec<D>>(records.geometry[static_cast<std::size_t>(dummy)]);
   }
 
   [[nodiscard]] Vec<D> of_particle(std::size_t i, const PairRecords<D>& records) const {
@@ -88,6 +88,7 @@ class WallForce final : public WallForceTerm<D> {
   const DummyRows<D>& wall_;
   Law law_;
   std::string_view name_, purpose_;
+  VectorView<D> position_;
   std::span<const double> mass_, density_;
 };
 

@@ -5,6 +5,7 @@
 #include "anvil/pairs/correction_loop.hpp"
 #include "anvil/pairs/gradient_loop.hpp"
 #include "anvil/pairs/pair_loops.hpp"
+#include "anvil/terms/density_diffusion_loop.hpp"
 #include "anvil/terms/laminar_viscosity_loop.hpp"
 #include "anvil/terms/momentum_loop.hpp"
 #include "anvil/terms/nominal_momentum_loop.hpp"
@@ -35,6 +36,7 @@ constexpr PairLoops<D> table() {
           .nominal_momentum = &sum_nominal_momentum<D>,
           .viscosity = &sum_viscosity<D>,
           .laminar_viscosity = &sum_laminar_viscosity<D>,
+          .density_diffusion = &sum_density_diffusion<D>,
           .plain_smoothing = &sum_plain_smoothing<D>,
           .pairwise_smoothing = &sum_pairwise_smoothing<D>};
 }

@@ -44,6 +44,8 @@ struct PairLoops {
   void (*viscosity)(const PairTile<D>&, const PairRecords<D>&, const ViscosityCoefficients&, double* acceleration,
                     double* heating);
   void (*laminar_viscosity)(const PairTile<D>&, const PairRecords<D>&, double* acceleration, double* heating);
+  void (*density_diffusion)(const PairTile<D>&, const PairRecords<D>&, double delta, const double* gravity,
+                            double* rate);
   void (*plain_smoothing)(const PairTile<D>&, const PairRecords<D>&, double* change);
   void (*pairwise_smoothing)(const PairTile<D>&, const PairRecords<D>&, double* change);
 };

@@ -90,6 +90,7 @@ struct Stabiliser {
   std::string method;
   double conservative_smoothing;  // alpha_cs, 0 switches it off
   std::string smoothing_form;
+  double density_diffusion;  // delta, 0 switches it off
   bool operator==(const Stabiliser&) const = default;
 };
 

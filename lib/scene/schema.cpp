@@ -182,6 +182,12 @@ Section<Stabiliser> stabiliser_section() {
                 "independent of the time step",
             .choices = {"plain", "pairwise", "scaled"}},
            &Stabiliser::smoothing_form},
+          {{.name = "density_diffusion",
+            .standard = 0.0,
+            .range = Range::fraction,
+            .help = "delta of the diffusion of density between neighbours (Molteni and Colagrossi 2009), about 0.1; 0 "
+                    "switches it off"},
+           &Stabiliser::density_diffusion},
       }};
 }
 

@@ -38,6 +38,13 @@ double Solver<D>::elastic_energy() const {
 }
 
 template <int D>
+double Solver<D>::energy_stored_by_walls() const {
+  double energy = 0.0;
+  for (const auto* force : recipe_.wall_forces) energy += force->stored_energy(records_);
+  return energy;
+}
+
+template <int D>
 Vec<D> Solver<D>::momentum() const {
   Vec<D> sum = Vec<D>::Zero();
   for (std::size_t i = 0; i < bodies_end(); ++i) sum += mass_[i] * velocity_[i];
@@ -73,8 +80,7 @@ std::vector<AuditValue> Solver<D>::audit() const {
     centre += mass_[i] * position_[i];
   }
   const double kinetic = kinetic_energy(), elastic = elastic_energy();
-  double stored_by_walls = 0.0;
-  for (const auto* force : recipe_.wall_forces) stored_by_walls += force->stored_energy(records_);
+  const double stored_by_walls = energy_stored_by_walls();
   const double total = kinetic + elastic + stored_by_walls - ledger_.gravity_work + ledger_.plastic_work +
                        ledger_.viscous_loss + ledger_.smoothing_loss + ledger_.wall_loss + ledger_.contact_loss;
   const Vec<D> present = momentum();
@@ -118,10 +124,11 @@ std::vector<AuditValue> Solver<D>::audit() const {
   return row;
 }
 
-#define ANVIL_INSTANTIATE(D)                         \
-  template double Solver<D>::kinetic_energy() const; \
-  template double Solver<D>::elastic_energy() const; \
-  template Vec<D> Solver<D>::momentum() const;       \
+#define ANVIL_INSTANTIATE(D)                                 \
+  template double Solver<D>::kinetic_energy() const;         \
+  template double Solver<D>::elastic_energy() const;         \
+  template double Solver<D>::energy_stored_by_walls() const; \
+  template Vec<D> Solver<D>::momentum() const;               \
   template std::vector<AuditValue> Solver<D>::audit() const
 ANVIL_INSTANTIATE(1);
 ANVIL_INSTANTIATE(2);

@@ -264,6 +264,7 @@ template <int D>
 Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& ranges, const Walls<D>& walls,
                       FieldStore& fields) {
   Recipe<D> recipe;
+  recipe.density_diffusion = scene.stabiliser.density_diffusion;
   recipe.gravity = vector_of<D>(scene.domain.gravity);
   recipe.kernel = make_kernel(scene.discretisation.kernel);
   recipe.support = std::visit([](const auto& kernel) { return kernel.support; }, recipe.kernel);

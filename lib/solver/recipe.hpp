@@ -46,6 +46,7 @@ struct Recipe {
   double support = 0.0;  // of the kernel, in smoothing lengths
   bool variable_smoothing_length = true;
   bool corrected_gradients = false;
+  double density_diffusion = 0.0;  // delta
   std::vector<Body<D>> bodies;
   std::vector<std::unique_ptr<ForceTerm<D>>> forces;
   std::vector<std::unique_ptr<VelocityFilter<D>>> filters;

@@ -22,7 +22,7 @@ Solver<D>::Solver(const Scene& scene)
       recipe_(make_recipe<D>(scene, ranges_, walls_, fields_)),
       loops_(pair_loops<D>()),
       kernel_loops_(loops_.kernels[recipe_.kernel.index()]),
-      medium_needed_(recipe_.force_needs.medium || recipe_.filter_needs.medium),
+      medium_needed_(recipe_.force_needs.medium || recipe_.filter_needs.medium || recipe_.density_diffusion > 0.0),
       smoothing_length_varies_(recipe_.variable_smoothing_length),
       position_(fields_.vector<D>(field::position)),
       initial_position_(fields_.vector<D>(field::initial_position)),
@@ -58,7 +58,7 @@ Solver<D>::Solver(const Scene& scene)
     list_neighbours();
   strain(0.0);
   first_step_limit_ = step_limit_;
-  ledger_.start_energy = kinetic_energy() + elastic_energy();
+  ledger_.start_energy = kinetic_energy() + elastic_energy() + energy_stored_by_walls();
   ledger_.start_momentum = momentum();
 }
 
@@ -84,7 +84,8 @@ void Solver<D>::size_scratch() {
   for (Scratch& scratch : scratch_) {
     if (!recipe_.deformation)
       for (auto& component : scratch.gradient) component.resize(std::max(pairs, component.size()));
-    if (recipe_.corrected_gradients && recipe_.force_needs.gradient && recipe_.force_needs.plain_gradient)
+    if (recipe_.corrected_gradients &&
+        ((recipe_.force_needs.gradient && recipe_.force_needs.plain_gradient) || recipe_.density_diffusion > 0.0))
       for (auto& component : scratch.plain_gradient) component.resize(std::max(pairs, component.size()));
     if (recipe_.force_needs.value || recipe_.filter_needs.value || !walls_.empty())
       scratch.value.resize(std::max(pairs, scratch.value.size()));

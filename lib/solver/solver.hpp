@@ -25,6 +25,7 @@ struct TileReport {
   Vec<D> wall_impulse = Vec<D>::Zero();                    // N s, on the particles
   Vec<D> force_impulse = Vec<D>::Zero();                   // N s, of all sums over pairs; only with images
   double gravity_work = 0.0;                               // J
+  double diffusion_loss = 0.0;                             // J
   Vec<D> least_displacement, greatest_displacement;        // m, since the neighbour list was made
   double greatest_growth = 0.0;                            // m, of smoothing lengths since then
   double step_limit = std::numeric_limits<double>::max();  // s
@@ -122,6 +123,8 @@ class Solver final : public Simulation {
   void apply_boundaries(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
   void deform_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
   void respond_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
+  void diffuse_density(const Tile& tile, const PairTile<D>& pairs, Scratch& scratch, double time_step,
+                       TileReport<D>& report);
   void update_density(ParticleRange range, const double* velocity_gradient, const double* lateral_rate,
                       double time_step);
   void pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report);
@@ -165,6 +168,7 @@ class Solver final : public Simulation {
   // audit.cpp
   double kinetic_energy() const;
   double elastic_energy() const;
+  double energy_stored_by_walls() const;
   Vec<D> momentum() const;
   double minimum_pair_distance() const;
 

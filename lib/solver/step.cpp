@@ -211,25 +211,6 @@ void Solver<D>::account_gravity(const Tile& tile, TileReport<D>& report) {
   }
 }
 
-/// Whether a boundary carries all particles of a tile.
-template <int D>
-bool Solver<D>::is_held(const Tile& tile) const {
-  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
-    const auto holds = [&](const auto& boundary) { return boundary->holds(position_[i]); };
-    if (std::none_of(recipe_.boundaries.begin(), recipe_.boundaries.end(), holds)) return false;
-  }
-  return true;
-}
-
-template <int D>
-void Solver<D>::stop_straining_held(const Tile& tile, double* velocity_gradient) const {
-  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i, velocity_gradient += D * D) {
-    const auto holds = [&](const auto& boundary) { return boundary->holds(position_[i]); };
-    if (std::any_of(recipe_.boundaries.begin(), recipe_.boundaries.end(), holds))
-      std::fill_n(velocity_gradient, D * D, 0.0);
-  }
-}
-
 template <int D>
 void Solver<D>::move_tile(const Tile& tile, double time_step, TileReport<D>& report) {
   report.broken_particle = -1;
@@ -275,6 +256,11 @@ void Solver<D>::refresh_neighbours() {
 
 template <int D>
 void Solver<D>::strain(double time_step) {
+  if (time_step == 0.0)  // a start: no move has packed the records
+    for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) {
+      pack_geometry(tile.range);
+      pack_motion(tile.range);
+    });
   if (!walls_.empty()) move_walls(time_step);
   fill_image_places();
   if (recipe_.deformation) return strain_from_reference(time_step);
@@ -289,6 +275,15 @@ void Solver<D>::strain(double time_step) {
     for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
       respond_tile(tile, scratch, time_step, report);
     });
+  } else if (recipe_.density_diffusion > 0.0) {  // which reads the densities of before from the records
+    fill_image_states();
+    for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+      deform_tile(tile, scratch, time_step, report);
+    });
+    for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+      respond_tile(tile, scratch, time_step, report);
+    });
+    for (const auto& report : reports_) ledger_.smoothing_loss += report.diffusion_loss;
   } else {
     for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
       deform_tile(tile, scratch, time_step, report);
@@ -317,10 +312,11 @@ template <int D>
 void Solver<D>::deform_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
   const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];
   double* velocity_gradient = scratch.per_particle.data();
-  report.plastic_work = 0.0;
+  report.plastic_work = report.diffusion_loss = 0.0;
   report.uncorrected = 0;
   if (time_step > 0.0 && !(recipe_.holds_particles && is_held(tile))) {
-    const PairTile<D> pairs = open_tile(tile, scratch, {.gradient = true});
+    const bool diffuses = recipe_.density_diffusion > 0.0;
+    const PairTile<D> pairs = open_tile(tile, scratch, {.gradient = true, .plain_gradient = diffuses});
     report.uncorrected = pairs.uncorrected;
     loops_.velocity_gradient(pairs, records_, velocity_gradient);
     if (recipe_.holds_particles) stop_straining_held(tile, velocity_gradient);
@@ -330,8 +326,22 @@ void Solver<D>::deform_tile(const Tile& tile, Scratch& scratch, double time_step
       body.lateral_release->find_rates(tile.range, velocity_gradient, time_step, scratch.lateral_rate.data());
       lateral_rate = scratch.lateral_rate.data();
     }
+    if (diffuses) diffuse_density(tile, pairs, scratch, time_step, report);
     update_density(tile.range, velocity_gradient, lateral_rate, time_step);
     report.plastic_work = body.strength->update(tile.range, velocity_gradient, lateral_rate, time_step);
+  }
+}
+
+/// The compression that diffusion brings is no work of the motion: its energy p/rho^2 drho is booked as the filter's.
+template <int D>
+void Solver<D>::diffuse_density(const Tile& tile, const PairTile<D>& pairs, Scratch& scratch, double time_step,
+                                TileReport<D>& report) {
+  double* rate = scratch.loss.data();
+  loops_.density_diffusion(pairs, records_, recipe_.density_diffusion, recipe_.gravity.data(), rate);
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
+    const double change = time_step * *rate++;
+    report.diffusion_loss -= mass_[i] * pressure_[i] / (density_[i] * density_[i]) * change;
+    density_[i] += change;
   }
 }
 

@@ -146,7 +146,9 @@ void Solver<D>::interpolate(const PairTile<D>& pairs, const DummyRows<D>& wall, 
     const std::size_t j = image ? recipe_.images.source(record - records_.first_image()) : record;
     const Vec<D> apart = place - Eigen::Map<const Vec<D>>(records_.geometry[record]);
     weights += weight;
+    const double sound_speed = medium_needed_ ? records_.medium[record][0] : 0.0;
     density += weight * density_[j];
+    if (sound_speed > 0.0) density += weight * density_[j] * recipe_.gravity.dot(apart) / (sound_speed * sound_speed);
     pressure += weight * (pressure_[j] + density_[j] * recipe_.gravity.dot(apart));
     if (wall_deviator_ == nullptr) return;
     const double* own = wall_deviator_ + j * components;
@@ -199,6 +201,25 @@ void Solver<D>::make_wall_tiles() {
     }
 }
 
+/// Whether a boundary carries all particles of a tile.
+template <int D>
+bool Solver<D>::is_held(const Tile& tile) const {
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
+    const auto holds = [&](const auto& boundary) { return boundary->holds(position_[i]); };
+    if (std::none_of(recipe_.boundaries.begin(), recipe_.boundaries.end(), holds)) return false;
+  }
+  return true;
+}
+
+template <int D>
+void Solver<D>::stop_straining_held(const Tile& tile, double* velocity_gradient) const {
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i, velocity_gradient += D * D) {
+    const auto holds = [&](const auto& boundary) { return boundary->holds(position_[i]); };
+    if (std::any_of(recipe_.boundaries.begin(), recipe_.boundaries.end(), holds))
+      std::fill_n(velocity_gradient, D * D, 0.0);
+  }
+}
+
 template <int D>
 void Solver<D>::count_penetrations(double time_step) {
   for (const auto& wall : walls_) ledger_.penetrations += wall->count_penetrations(position_, velocity_, time_step);
@@ -210,12 +231,14 @@ void Solver<D>::count_penetrations(double time_step) {
   }
 }
 
-#define ANVIL_INSTANTIATE(D)                   \
-  template void Solver<D>::weigh_walls(bool);  \
-  template void Solver<D>::move_walls(double); \
-  template void Solver<D>::load_walls(double); \
-  template void Solver<D>::list_walls();       \
-  template void Solver<D>::make_wall_tiles();  \
+#define ANVIL_INSTANTIATE(D)                                                \
+  template bool Solver<D>::is_held(const Tile&) const;                      \
+  template void Solver<D>::stop_straining_held(const Tile&, double*) const; \
+  template void Solver<D>::weigh_walls(bool);                               \
+  template void Solver<D>::move_walls(double);                              \
+  template void Solver<D>::load_walls(double);                              \
+  template void Solver<D>::list_walls();                                    \
+  template void Solver<D>::make_wall_tiles();                               \
   template void Solver<D>::count_penetrations(double)
 ANVIL_INSTANTIATE(1);
 ANVIL_INSTANTIATE(2);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Columns of water against the experiments of Martin and Moyce 1952.
+#include <cstdlib>
+
 #include "anvil/figures/csv_columns.hpp"
 #include "anvil/measures/curve.hpp"
 #include "anvil/study/flow_measures.hpp"
@@ -75,6 +77,7 @@ TEST(WaterColumn, FrontFollowsTheExperiments) {
 }
 
 TEST(WaterColumn, FrontFollowsTheExperimentsAtHalfTheSpacing) {
+  if (std::getenv("ANVIL_LONG_TESTS") == nullptr) GTEST_SKIP() << "takes a minute: set ANVIL_LONG_TESTS=1";
   expect_front("water_column_h1", 0.01, 1.0);
   expect_front("water_column_h2", 0.01, 2.0);
 }
