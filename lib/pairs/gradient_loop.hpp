@@ -28,13 +28,6 @@ void fill_pairs(const PairTile<D>& tile, const PairRecords<D>& records) {
       else
         q = sqrt(r_squared) * h_inverse;
       const std::int64_t at = k - tile.first[tile.begin];
-      if constexpr (D == 1) {  // half of the list is at the edge of the support or beyond
-        if (q.first() >= Kernel::support) {
-          if constexpr (Value) tile.value[at] = 0.0;
-          if constexpr (Gradient) tile.plain_gradient[0][at] = 0.0;
-          continue;
-        }
-      }
       L scale = norm * h_inverse;  // norm / h^D
       for (int a = 1; a < D; ++a) scale = scale * h_inverse;
       if constexpr (Value) (scale * Kernel::value(q)).store(tile.value + at);

@@ -28,8 +28,8 @@ class NeighbourList {
   void build(VectorView<D> positions, std::span<const double> smoothing_length, double reach, double skin,
              const PairLoops<D>& loops);
 
-  /// Adds neighbours to the ends of their particles' rows. Only where rows are not padded: in one dimension.
-  void append(std::span<const ExtraNeighbour> extra) requires(D == 1);
+  /// Adds neighbours to the rows of their particles, which stay padded to `lanes`.
+  void append(std::span<const ExtraNeighbour> extra, int lanes);
 
   [[nodiscard]] const std::int64_t* first() const { return first_.data(); }
   [[nodiscard]] const std::int32_t* neighbours() const { return neighbours_.data(); }

@@ -45,7 +45,7 @@ struct PairRecords {
   Records<small> geometry;  // position, smoothing length
   Records<small> motion;    // velocity, volume
   Records<large> traction;  // tensor T, weight w: what the momentum sum reads
-  Records<4> medium;        // sound speed, density, mass
+  Records<4> medium;        // sound speed without shear, density, mass
 
   /// Room for images of particles (see FaceGhosts) behind the padding record; those of before are gone.
   void set_images(std::size_t images) {

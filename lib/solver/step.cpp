@@ -157,20 +157,28 @@ void Solver<D>::apply_boundaries(const Tile& tile, Scratch& scratch, double time
 
 template <int D>
 void Solver<D>::move_tile(const Tile& tile, double time_step, TileReport<D>& report) {
-  report.least_displacement.setConstant(std::numeric_limits<double>::max());
-  report.greatest_displacement = -report.least_displacement;
-  report.greatest_growth = 0.0;
   report.broken_particle = -1;
   for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
     position_[i] += time_step * velocity_[i];
+    bool broken = !std::isfinite(position_[i].sum());
+    for (const auto& boundary : recipe_.boundaries) broken = broken || boundary->forbids(position_[i]);
+    if (broken && report.broken_particle < 0) report.broken_particle = static_cast<std::int32_t>(i);
+  }
+  note_displacements(tile, report);
+}
+
+/// Since the neighbour list was made.
+template <int D>
+void Solver<D>::note_displacements(const Tile& tile, TileReport<D>& report) const {
+  report.least_displacement.setConstant(std::numeric_limits<double>::max());
+  report.greatest_displacement = -report.least_displacement;
+  report.greatest_growth = 0.0;
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
     const Vec<D> displacement = position_[i] - listed_position_[i];
     report.least_displacement = report.least_displacement.cwiseMin(displacement);
     report.greatest_displacement = report.greatest_displacement.cwiseMax(displacement);
     if (smoothing_length_varies_)
       report.greatest_growth = std::max(report.greatest_growth, smoothing_length_[i] - listed_smoothing_length_[i]);
-    bool broken = !std::isfinite(position_[i].sum());
-    for (const auto& boundary : recipe_.boundaries) broken = broken || boundary->forbids(position_[i]);
-    if (broken && report.broken_particle < 0) report.broken_particle = static_cast<std::int32_t>(i);
   }
 }
 
@@ -193,17 +201,25 @@ template <int D>
 void Solver<D>::strain(double time_step) {
   if constexpr (D == 1)
     if (recipe_.face_ghosts) recipe_.face_ghosts->hide(records_);
-  if (recipe_.transport && time_step > 0.0) {  // its densities come before any stress of the step
-    recipe_.transport->remember_density();
+  if (recipe_.transport && time_step > 0.0) {  // filters the rates of all before any stress follows from them
     for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
-      deform_tile(tile, scratch, time_step, report);
+      find_velocity_gradients(tile, scratch, time_step, report);
+      std::copy_n(scratch.per_particle.data(), tile.range.count(), strain_rate_.data() + tile.range.begin);
     });
-    transport_densities();
-    for_each_tile(
-        [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) { respond_tile(tile, scratch, report); });
+    transport_strains(time_step);
+    for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+      deform_tile(tile, strain_rate_.data() + tile.range.begin, scratch, time_step, report);
+      respond_tile(tile, scratch, report);
+    });
+    if constexpr (D == 1) ledger_.smoothing_loss += recipe_.transport->strain_loss();
   } else {
     for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
-      deform_tile(tile, scratch, time_step, report);
+      report.plastic_work = 0.0;
+      report.uncorrected = 0;
+      if (time_step > 0.0) {
+        find_velocity_gradients(tile, scratch, time_step, report);
+        deform_tile(tile, scratch.per_particle.data(), scratch, time_step, report);
+      }
       respond_tile(tile, scratch, report);
     });
   }
@@ -218,25 +234,26 @@ void Solver<D>::strain(double time_step) {
   }
 }
 
+/// Into the scratch memory, D x D per particle, of the middle of the step.
 template <int D>
-void Solver<D>::deform_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
+void Solver<D>::find_velocity_gradients(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
+  const PairTile<D> pairs = open_tile(tile, scratch, {.gradient = true});
+  report.uncorrected = pairs.uncorrected;
+  loops_.velocity_gradient(pairs, records_, scratch.per_particle.data());
+  take_to_mid_step<D>(scratch.per_particle.data(), tile.range.count(), time_step);
+}
+
+template <int D>
+void Solver<D>::deform_tile(const Tile& tile, const double* velocity_gradient, Scratch& scratch, double time_step,
+                            TileReport<D>& report) {
   const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];
-  double* velocity_gradient = scratch.per_particle.data();
-  report.plastic_work = 0.0;
-  report.uncorrected = 0;
-  if (time_step > 0.0) {
-    const PairTile<D> pairs = open_tile(tile, scratch, {.gradient = true});
-    report.uncorrected = pairs.uncorrected;
-    loops_.velocity_gradient(pairs, records_, velocity_gradient);
-    take_to_mid_step<D>(velocity_gradient, tile.range.count(), time_step);
-    const double* lateral_rate = nullptr;
-    if (body.lateral_release) {
-      body.lateral_release->find_rates(tile.range, velocity_gradient, time_step, scratch.lateral_rate.data());
-      lateral_rate = scratch.lateral_rate.data();
-    }
-    update_density(tile.range, velocity_gradient, lateral_rate, time_step);
-    report.plastic_work = body.strength->update(tile.range, velocity_gradient, lateral_rate, time_step);
+  const double* lateral_rate = nullptr;
+  if (body.lateral_release) {
+    body.lateral_release->find_rates(tile.range, velocity_gradient, time_step, scratch.lateral_rate.data());
+    lateral_rate = scratch.lateral_rate.data();
   }
+  update_density(tile.range, velocity_gradient, lateral_rate, time_step);
+  report.plastic_work = body.strength->update(tile.range, velocity_gradient, lateral_rate, time_step);
 }
 
 /// Stress and what follows from it, from the new densities and deviators.
@@ -245,7 +262,7 @@ void Solver<D>::respond_tile(const Tile& tile, Scratch& scratch, TileReport<D>& 
   const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];
   body.eos->update(tile.range, scratch.sound_speed.data());
   for (const auto& force : recipe_.forces) force->pack(tile.range, records_);
-  pack_limit_and_check(tile, scratch.sound_speed.data(), report);
+  pack_limit_and_check(tile, scratch, report);
 }
 
 /// drho/dt = -rho div v and dh/dt = (h/d) div v over one step, by the midpoint rule. The smoothing length belongs to
@@ -263,26 +280,47 @@ void Solver<D>::update_density(ParticleRange range, const double* velocity_gradi
   }
 }
 
-/// The time step rule dt = cfl h / (c + |v|), c the longitudinal wave speed (Long 2007, equation 12).
 template <int D>
-void Solver<D>::pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report) {
-  const double shear_modulus = recipe_.bodies[static_cast<std::size_t>(tile.body)].strength->shear_modulus();
-  report.step_limit = std::numeric_limits<double>::max();
-  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
-    const double wave_speed = std::sqrt(*bulk_sound_speed_squared++ + 4.0 / 3.0 * shear_modulus / density_[i]);
-    const double limit = scene_.time.cfl * smoothing_length_[i] / (wave_speed + velocity_[i].norm());
-    if (medium_needed_) {
+void Solver<D>::pack_limit_and_check(const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+  find_step_limits(tile, scratch);
+  if (medium_needed_) {
+    double* sound_speed = scratch.sound_speed.data();
+    for (int k = 0; k < tile.range.count(); ++k) sound_speed[k] = std::sqrt(sound_speed[k]);
+    for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
       double* medium = records_.medium[i];
-      medium[0] = wave_speed;
+      medium[0] = *sound_speed++;
       medium[1] = density_[i];
       medium[2] = mass_[i];
     }
-    const bool sound = density_[i] > 0.0 && smoothing_length_[i] > 0.0 && limit > 0.0 && std::isfinite(pressure_[i]);
+  }
+  report.step_limit = std::numeric_limits<double>::max();
+  const double* limit = scratch.step_limit.data();
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i, ++limit) {
+    const bool sound = density_[i] > 0.0 && smoothing_length_[i] > 0.0 && *limit > 0.0 && std::isfinite(pressure_[i]);
     if (!sound && report.broken_particle < 0) report.broken_particle = static_cast<std::int32_t>(i);
-    if (limit < report.step_limit) {
-      report.step_limit = limit;
+    if (*limit < report.step_limit) {
+      report.step_limit = *limit;
       report.limiting_particle = static_cast<std::int32_t>(i);
     }
+  }
+}
+
+/// The time step rule dt = cfl h / (c + |v|), c the longitudinal wave speed (Long 2007, equation 12). Roots and
+/// quotients stand in short loops of their own, which the compiler turns into vectors.
+template <int D>
+void Solver<D>::find_step_limits(const Tile& tile, Scratch& scratch) const {
+  const double stiffness =
+      4.0 / 3.0 * recipe_.bodies[static_cast<std::size_t>(tile.body)].strength->shear_modulus();
+  const double cfl = scene_.time.cfl;
+  const std::size_t first = tile.range.first(), count = tile.range.last() - first;
+  const double *bulk_squared = scratch.sound_speed.data(), *density = &density_[first];
+  const double *smoothing_length = &smoothing_length_[first], *velocity = velocity_.raw() + first * D;
+  double* limit = scratch.step_limit.data();
+  for (std::size_t k = 0; k < count; ++k) limit[k] = std::sqrt(bulk_squared[k] + stiffness / density[k]);
+  for (std::size_t k = 0; k < count; ++k) {
+    double speed = 0.0;
+    for (std::size_t a = 0; a < D; ++a) speed += velocity[k * D + a] * velocity[k * D + a];
+    limit[k] = cfl * smoothing_length[k] / (limit[k] + std::sqrt(speed));
   }
 }
 

@@ -7,7 +7,8 @@
 namespace anvil::ANVIL_SIMD_LEVEL {
 
 /// Artificial viscosity (Monaghan and Gingold 1983): acceleration_i -= sum_j m_j Pi_ij grad_ij for approaching pairs,
-/// Pi = (-alpha c mu + beta mu^2)/rho with means of the pair, mu = h v_ij . x_ij / (x_ij^2 + eps h^2).
+/// Pi = (-alpha c mu + beta mu^2)/rho with means of the pair, c the bulk sound speed, mu = h v_ij . x_ij /
+/// (x_ij^2 + eps h^2).
 /// heating: W/kg per particle of the tile, half of each pair's loss.
 template <int D>
 void sum_viscosity(const PairTile<D>& tile, const PairRecords<D>& records, const ViscosityCoefficients& coefficients,
@@ -34,8 +35,6 @@ void sum_viscosity(const PairTile<D>& tile, const PairRecords<D>& records, const
         distance_squared += x_ij * x_ij;
         work += v_ij * grad[a];
       }
-      if constexpr (lanes<D> == 1)
-        if (!(approach.first() < 0.0) || grad[0].first() == 0.0) continue;  // parting, or out of reach
       load_record(records.medium, tile.neighbour + k, other_medium);
       const L h = L(0.5) * (L(place[D]) + other_place[D]);
       const L mu = min(h * approach / (distance_squared + epsilon * h * h), L(0.0));
