@@ -35,12 +35,15 @@ void sum_viscosity(const PairTile<D>& tile, const PairRecords<D>& records, const
         distance_squared += x_ij * x_ij;
         work += v_ij * grad[a];
       }
+      if ((approach < L(0.0)).bits() == 0) continue;  // all part
       load_record(records.medium, tile.neighbour + k, other_medium);
       const L h = L(0.5) * (L(place[D]) + other_place[D]);
-      const L mu = min(h * approach / (distance_squared + epsilon * h * h), L(0.0));
+      const L softened = distance_squared + epsilon * h * h;
       const L sound_speed = L(0.5) * (L(medium[0]) + other_medium[0]);
       const L density = L(0.5) * (L(medium[1]) + other_medium[1]);
-      const L pi_ij = other_medium[2] * (beta * mu - alpha * sound_speed) * mu / density;
+      const L inverse = L(1.0) / (softened * density);  // of both: divisions cost more than all the rest
+      const L mu = min(h * approach * inverse * density, L(0.0));
+      const L pi_ij = other_medium[2] * (beta * mu - alpha * sound_speed) * mu * (inverse * softened);
       for (int a = 0; a < D; ++a) sum[a] -= pi_ij * grad[a];
       heat += L(0.5) * pi_ij * work;
     }
