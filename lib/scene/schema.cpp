@@ -101,7 +101,7 @@ Section<Shock> shock_section() {
             .kind = ValueKind::choice,
             .standard = "none",
             .help = "artificial_viscosity is that of Monaghan and Gingold (1983); fct is flux-corrected transport of "
-                    "velocity and density, in 1D",
+                    "velocity and stress, in 1D",
             .choices = {"none", "artificial_viscosity", "fct"}},
            &Shock::method},
           {{.name = "linear_coefficient",

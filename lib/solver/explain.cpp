@@ -19,7 +19,7 @@ Explanation Solver<D>::explain() const {
   for (const auto& force : recipe_.forces) add(force->name(), force->purpose());
   for (const auto& filter : recipe_.filters) add(filter->name(), filter->purpose());
   if (recipe_.transport)
-    add("flux_corrected_transport", "spreads and gathers velocities, then densities, along the line");
+    add("flux_corrected_transport", "spreads and gathers velocities, then stresses, along the line");
   for (const auto& boundary : recipe_.boundaries) add(boundary->name(), boundary->purpose());
   add("velocity_gradient", "d v_a / d x_b from velocity differences");
   add("continuity", smoothing_length_varies_ ? "density and smoothing length follow the divergence"
