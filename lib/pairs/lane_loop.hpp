@@ -11,7 +11,7 @@ namespace anvil::ANVIL_SIMD_LEVEL {
 
 /// Lanes of the pair loops: rows are short in 1D, four neighbours at the usual smoothing length, and in 2D.
 template <int D>
-inline constexpr int lanes = D < 3 && widest > 4 ? 4 : widest;
+inline constexpr int lanes = D<3 && widest> 4 ? 4 : widest;
 
 /// Calls row(i, first pair, end of pairs) for each particle of the tile; a row is a multiple of lanes<D> long.
 template <int D, class Row>

@@ -18,7 +18,8 @@ std::string read_text_file(const std::filesystem::path& file) {
   constexpr std::size_t largest = std::size_t{16} << 20;  // devices never end, and no scene is this long
   constexpr std::size_t piece = std::size_t{1} << 16;
   std::string text;
-  while (stream && text.size() <= largest) {  // piece by piece: clearing room for the largest would take longer than a run
+  while (stream &&
+         text.size() <= largest) {  // piece by piece: clearing room for the largest would take longer than a run
     const std::size_t size = text.size();
     text.resize(size + piece);
     stream.read(text.data() + size, static_cast<std::streamsize>(piece));

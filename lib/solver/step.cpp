@@ -309,8 +309,7 @@ void Solver<D>::pack_limit_and_check(const Tile& tile, Scratch& scratch, TileRep
 /// quotients stand in short loops of their own, which the compiler turns into vectors.
 template <int D>
 void Solver<D>::find_step_limits(const Tile& tile, Scratch& scratch) const {
-  const double stiffness =
-      4.0 / 3.0 * recipe_.bodies[static_cast<std::size_t>(tile.body)].strength->shear_modulus();
+  const double stiffness = 4.0 / 3.0 * recipe_.bodies[static_cast<std::size_t>(tile.body)].strength->shear_modulus();
   const double cfl = scene_.time.cfl;
   const std::size_t first = tile.range.first(), count = tile.range.last() - first;
   const double *bulk_squared = scratch.sound_speed.data(), *density = &density_[first];

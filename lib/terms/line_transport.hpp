@@ -16,10 +16,10 @@ namespace anvil {
 /// Velocity flows with the masses as weights, which conserves momentum across materials. Stress flows with volume over
 /// axial modulus as weights: what goes through a link is then a volume, the way that the face between two particles
 /// moves. So the length of the line is conserved, densities and positions stay together, and the strain rates that are
-/// left drive density, stress and smoothing length alike. In elastic material this is the same as a filter on rho / rho0;
-/// where plastic strain varies from particle to particle the stress of a body at rest is smooth and the density is not,
-/// and a filter on density would pull it out of balance for ever. Stress is continuous where materials meet. Nothing
-/// flows through an end or a gap wider than the kernel's reach.
+/// left drive density, stress and smoothing length alike. In elastic material this is the same as a filter on rho /
+/// rho0; where plastic strain varies from particle to particle the stress of a body at rest is smooth and the density
+/// is not, and a filter on density would pull it out of balance for ever. Stress is continuous where materials meet.
+/// Nothing flows through an end or a gap wider than the kernel's reach.
 class LineTransport {
  public:
   /// `order`: the particles by position; `axial_modulus`, Pa, of each body; `support` in smoothing lengths.
@@ -28,8 +28,8 @@ class LineTransport {
 
   /// Filters the velocities (m/s) of a kick that started from `before`.
   void filter_velocity(std::span<const double> before);
-  /// Filters the stresses that the axial strain rates (1/s, by particle) would lead to in a step of time_step (s), moves
-  /// the particles with their faces and leaves in `strain_rate` what the filter lets through.
+  /// Filters the stresses that the axial strain rates (1/s, by particle) would lead to in a step of time_step (s),
+  /// moves the particles with their faces and leaves in `strain_rate` what the filter lets through.
   void filter_strain(std::span<double> strain_rate, double time_step);
   /// J that the filter took in the last filter_strain: the work of the stresses on the strain it kept back. To be asked
   /// once the stresses have followed.
