@@ -86,7 +86,7 @@ void FaceGhosts::list(NeighbourList<1>& neighbours, PairRecords<1>& records, dou
   std::vector<ExtraNeighbour> extra;
   for (std::size_t f = 0; f < faces_.size(); ++f)
     add_ghosts_of(static_cast<std::int32_t>(f), face_place_[f], skin, extra);
-  neighbours.append(extra);
+  neighbours.append(extra, pair_loops<1>().lanes);
   records.set_images(images + ghosts_.size());
 }
 

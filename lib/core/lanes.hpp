@@ -111,4 +111,30 @@ ANVIL_INLINE void load_four_fields(const double* records, int stride, const std:
   }
 }
 
+/// The same for records of two fields, and up to four particles.
+template <int N>
+ANVIL_INLINE void load_two_fields(const double* records, const std::int32_t* index, Lanes<N> out[2]) {
+  const auto at = [&](int lane) { return records + static_cast<std::ptrdiff_t>(index[lane]) * 2; };
+  using Tag = typename Lanes<N>::Tag;
+  [[maybe_unused]] const Tag tag;
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (N == 4) {
+    const hn::Half<Tag> half;
+    const auto r02 = hn::Combine(tag, hn::LoadU(half, at(2)), hn::LoadU(half, at(0)));
+    const auto r13 = hn::Combine(tag, hn::LoadU(half, at(3)), hn::LoadU(half, at(1)));
+    out[0].v = hn::InterleaveLower(tag, r02, r13);
+    out[1].v = hn::InterleaveUpper(tag, r02, r13);
+  } else if constexpr (N == 2) {
+    const auto r0 = hn::LoadU(tag, at(0)), r1 = hn::LoadU(tag, at(1));
+    out[0].v = hn::InterleaveLower(tag, r0, r1);
+    out[1].v = hn::InterleaveUpper(tag, r0, r1);
+  } else  // NOLINT(readability-misleading-indentation)
+#endif
+  {
+    static_assert(N == 1, "longer vectors are not needed in one dimension");
+    out[0] = Lanes<N>(at(0)[0]);
+    out[1] = Lanes<N>(at(0)[1]);
+  }
+}
+
 }  // namespace anvil::ANVIL_SIMD_LEVEL

@@ -24,10 +24,13 @@ double find_increasing_root(const Function& f, double guess, double slope, doubl
     if (std::abs(value) <= tolerance) return x;
     if (std::isnan(value)) break;
     (value < 0.0 ? lower : upper) = x;
+    const auto unchanged = [&](double other) {
+      return std::abs(other - x) <= 2.0 * std::numeric_limits<double>::epsilon() * std::abs(x);
+    };
     double next = x - value / slope;
+    if (unchanged(next)) return x;  // before any bisection: the other end may still be infinitely far
     if (!(next > lower && next < upper)) next = 0.5 * (lower + upper);
-    const bool unchanged = std::abs(next - x) <= 2.0 * std::numeric_limits<double>::epsilon() * std::abs(x);
-    if (unchanged || !(lower < upper)) return next;
+    if (unchanged(next) || !(lower < upper)) return next;
     const double next_value = f(next);
     const double secant = (next_value - value) / (next - x);
     if (secant > 0.0) slope = secant;

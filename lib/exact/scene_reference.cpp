@@ -91,8 +91,8 @@ ExactPoint SceneReference::point_of(double position, const WaveState& state, dou
 
 ExactPoint SceneReference::at(std::size_t time, double position) const {
   if (!layered_) {
-    const WaveZone& zone = tracked_.profiles.at(time).zone_at(position);
-    return point_of(position, zone.state, zone.reference_density);
+    const WaveProfile& profile = tracked_.profiles.at(time);
+    return point_of(position, profile.state_at(position), profile.zone_at(position).reference_density);
   }
   position = std::clamp(position, begin(), end());
   const LayeredPlate::Point point = layered_->at(position, times_.at(time));
@@ -108,9 +108,14 @@ ExactPoint SceneReference::at(std::size_t time, double position) const {
 std::vector<ExactPoint> SceneReference::line(std::size_t time) const {
   std::vector<ExactPoint> points;
   if (!layered_) {
-    for (const WaveZone& zone : tracked_.profiles.at(time).zones)
-      for (const double position : {zone.begin, zone.end})
+    const WaveProfile& profile = tracked_.profiles.at(time);
+    double reach = 0.0;  // of the joint before
+    for (std::size_t k = 0; k < profile.zones.size(); ++k) {
+      const WaveZone& zone = profile.zones[k];
+      const double begin = zone.begin + std::exchange(reach, profile.smooth_reach(k)), end = zone.end - reach;
+      for (const double position : {begin, std::max(begin, end)})
         points.push_back(point_of(position, zone.state, zone.reference_density));
+    }
     return points;
   }
   constexpr int samples = 4000;  // a front is then drawn thinner than any line

@@ -35,6 +35,14 @@ struct CubicSpline {
     const T inner = max(T(1.0) - q, T(0.0));
     return T(-0.75) * outer * outer / outer_q - T(2.25) * inner;
   }
+
+  /// dw/dq, without a division: for one dimension, where the direction is a sign.
+  template <class T>
+  static ANVIL_INLINE T slope(const T& q) {
+    const T outer = max(T(2.0) - q, T(0.0));
+    const T inner = max(T(1.0) - q, T(0.0));
+    return T(3.0) * inner * inner - T(0.75) * outer * outer;
+  }
 };
 
 }  // namespace anvil

@@ -28,17 +28,13 @@ void fill_pairs(const PairTile<D>& tile, const PairRecords<D>& records) {
       else
         q = sqrt(r_squared) * h_inverse;
       const std::int64_t at = k - tile.first[tile.begin];
-      if constexpr (D == 1) {  // half of the list is at the edge of the support or beyond
-        if (q.first() >= Kernel::support) {
-          if constexpr (Value) tile.value[at] = 0.0;
-          if constexpr (Gradient) tile.plain_gradient[0][at] = 0.0;
-          continue;
-        }
-      }
       L scale = norm * h_inverse;  // norm / h^D
       for (int a = 1; a < D; ++a) scale = scale * h_inverse;
       if constexpr (Value) (scale * Kernel::value(q)).store(tile.value + at);
-      if constexpr (Gradient) {
+      if constexpr (Gradient && D == 1 && requires { Kernel::slope(q); }) {
+        const L slope = scale * h_inverse * Kernel::slope(q);
+        select(x_ij[0] < L(0.0), -slope, slope).store(tile.plain_gradient[0] + at);
+      } else if constexpr (Gradient) {
         const L factor = scale * h_inverse * h_inverse * Kernel::slope_over_q(q);
         for (int a = 0; a < D; ++a) (factor * x_ij[a]).store(tile.plain_gradient[static_cast<std::size_t>(a)] + at);
       }

@@ -9,9 +9,9 @@
 
 namespace anvil::ANVIL_SIMD_LEVEL {
 
-/// Lanes of the pair loops. In 1D a particle has two to six neighbours: vectors across them would be mostly padding.
+/// Lanes of the pair loops: rows are short in 1D, four neighbours at the usual smoothing length, and in 2D.
 template <int D>
-inline constexpr int lanes = D == 1 ? 1 : (D == 2 && widest > 4 ? 4 : widest);
+inline constexpr int lanes = D<3 && widest> 4 ? 4 : widest;
 
 /// Calls row(i, first pair, end of pairs) for each particle of the tile; a row is a multiple of lanes<D> long.
 template <int D, class Row>
@@ -23,10 +23,7 @@ ANVIL_INLINE void for_each_row(const PairTile<D>& tile, Row&& row) {
 template <int N, int Size>
 ANVIL_INLINE void load_record(const Records<Size>& records, const std::int32_t* index, Lanes<N>* out) {
   if constexpr (Size == 2) {
-    static_assert(N == 1, "short records belong to one dimension");
-    const double* record = records[static_cast<std::size_t>(*index)];
-    out[0] = Lanes<N>(record[0]);
-    out[1] = Lanes<N>(record[1]);
+    load_two_fields<N>(records.raw(), index, out);
   } else {
     for (int f = 0; f < Size; f += 4) load_four_fields<N>(records.raw() + f, Size, index, out + f);
   }

@@ -165,21 +165,22 @@ void NeighbourList<D>::join_chunks(std::size_t particles) {
 }
 
 template <int D>
-void NeighbourList<D>::append(std::span<const ExtraNeighbour> extra) requires(D == 1) {
-  const std::vector<std::int64_t> old_first = first_;
-  const std::vector<std::int32_t> old_neighbours = neighbours_;
-  std::vector<std::int64_t> added(first_.size(), 0);
-  for (const ExtraNeighbour& one : extra) ++added[static_cast<std::size_t>(one.particle) + 1];
-  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += (added[i] += added[i - 1]);
-  neighbours_.resize(old_neighbours.size() + extra.size());
-  std::vector<std::int64_t> next(first_.size() - 1);
-  for (std::size_t i = 0; i + 1 < first_.size(); ++i) {
-    const auto end = std::copy(old_neighbours.begin() + old_first[i], old_neighbours.begin() + old_first[i + 1],
-                               neighbours_.begin() + first_[i]);
-    next[i] = end - neighbours_.begin();
+void NeighbourList<D>::append(std::span<const ExtraNeighbour> extra, int lanes) {
+  const auto particles = static_cast<std::int32_t>(first_.size() - 1);
+  std::vector<ExtraNeighbour> sorted(extra.begin(), extra.end());
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.particle < b.particle; });
+  std::vector<std::int32_t> lengthened;
+  auto next = sorted.begin();
+  for (std::int32_t i = 0; i < particles; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    const auto begin = neighbours_.begin() + first_[row], end = neighbours_.begin() + first_[row + 1];
+    first_[row] = static_cast<std::int64_t>(lengthened.size());
+    lengthened.insert(lengthened.end(), begin, std::find(begin, end, particles));
+    for (; next != sorted.end() && next->particle == i; ++next) lengthened.push_back(next->record);
+    while (lengthened.size() % static_cast<std::size_t>(lanes) != 0) lengthened.push_back(particles);
   }
-  for (const ExtraNeighbour& one : extra)
-    neighbours_[static_cast<std::size_t>(next[static_cast<std::size_t>(one.particle)]++)] = one.record;
+  first_.back() = static_cast<std::int64_t>(lengthened.size());
+  neighbours_ = std::move(lengthened);
 }
 
 template <int D>

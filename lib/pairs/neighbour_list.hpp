@@ -36,8 +36,8 @@ class NeighbourList {
   void build(VectorView<D> positions, std::span<const double> smoothing_length, double reach, double skin,
              const PairLoops<D>& loops, const ImageSites<D>& images = {});
 
-  /// Adds neighbours to the ends of their particles' rows. Only where rows are not padded: in one dimension.
-  void append(std::span<const ExtraNeighbour> extra) requires(D == 1);
+  /// Adds neighbours to the rows of their particles, which stay padded to `lanes`.
+  void append(std::span<const ExtraNeighbour> extra, int lanes);
 
   /// Keeps the listed neighbours for which wanted(particle, record of the neighbour) holds, and pads the rows anew.
   template <class Wanted>

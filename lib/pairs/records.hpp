@@ -47,7 +47,7 @@ struct PairRecords {
   Records<small> motion;    // velocity, volume
   Records<large> traction;  // tensor T, weight w: what the momentum sum reads
   Records<nominal_size> nominal;  // tensor of D x D, weight: what the momentum sum of the reference configuration reads
-  Records<4> medium;        // sound speed, density, mass, viscosity
+  Records<4> medium;        // sound speed without shear, density, mass, viscosity
 
   /// Room for images of particles (see Images, FaceGhosts) behind the padding record; those of before are gone.
   void set_images(std::size_t images) {

@@ -295,10 +295,12 @@ Scene read_scene_text(const std::string& text, const std::string& name, const st
 fs::path locate_scene(const std::string& argument) {
   std::error_code failure;
   if (argument.empty()) throw InputError("the name of the scene is empty");
-  if (fs::exists(argument, failure)) return argument;
+  const bool folder = fs::is_directory(argument, failure);  // a result may bear the name of its scene
+  if (!folder && fs::exists(argument, failure)) return argument;
   std::vector<std::string> names;
   for (const auto& file : list_bundled("scenes", ".toml")) names.push_back(fs::path(file).stem().string());
   if (std::find(names.begin(), names.end(), argument) != names.end()) return find_bundled("scenes", argument + ".toml");
+  if (folder) return argument;  // the reader says what is wrong
   throw InputError(fmt::format("there is no file '{}' and no bundled scene of that name{}", argument,
                                suggestion(fs::path(argument).stem().string(), views_of(names))));
 }

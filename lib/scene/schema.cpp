@@ -108,7 +108,7 @@ Section<Shock> shock_section() {
             .kind = ValueKind::choice,
             .standard = "none",
             .help = "artificial_viscosity is that of Monaghan and Gingold (1983); fct is flux-corrected transport of "
-                    "velocity and density, in 1D; bulk_viscosity is a pressure against the rate of compression",
+                    "velocity and stress, in 1D; bulk_viscosity is a pressure against the rate of compression",
             .choices = {"none", "artificial_viscosity", "fct", "bulk_viscosity"}},
            &Shock::method},
           {{.name = "linear_coefficient",

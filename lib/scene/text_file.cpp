@@ -16,10 +16,16 @@ std::string read_text_file(const std::filesystem::path& file) {
   if (!stream) throw InputError(name + ": the file cannot be opened; check its permissions");
 
   constexpr std::size_t largest = std::size_t{16} << 20;  // devices never end, and no scene is this long
-  std::string text(largest + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  constexpr std::size_t piece = std::size_t{1} << 16;
+  std::string text;
+  while (stream &&
+         text.size() <= largest) {  // piece by piece: clearing room for the largest would take longer than a run
+    const std::size_t size = text.size();
+    text.resize(size + piece);
+    stream.read(text.data() + size, static_cast<std::streamsize>(piece));
+    text.resize(size + static_cast<std::size_t>(stream.gcount()));
+  }
   if (stream.bad()) throw InputError(name + ": the file cannot be read");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > largest) throw InputError(name + ": the file is larger than 16 MiB, which no scene is");
   if (text.find('\0') != std::string::npos) throw InputError(name + ": this is a binary file, not a scene");
   return text;

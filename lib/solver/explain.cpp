@@ -22,7 +22,7 @@ Explanation Solver<D>::explain() const {
   for (const auto& force : recipe_.forces) add(force->name(), force->purpose());
   for (const auto& filter : recipe_.filters) add(filter->name(), filter->purpose());
   if (recipe_.transport)
-    add("flux_corrected_transport", "spreads and gathers velocities, then densities, along the line");
+    add("flux_corrected_transport", "spreads and gathers velocities, then stresses, along the line");
   if (recipe_.contact) add("contact", "bodies push each other where their faces meet, without friction");
   if (!recipe_.gravity.isZero(0.0)) add("gravity", "the same acceleration for all");
   for (const auto& wall : walls_)

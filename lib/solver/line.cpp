@@ -56,18 +56,16 @@ void Solver<D>::transport_velocities() {
   }
 }
 
-/// The energy that goes with the compression the filter takes is the filter's loss.
+/// The filter moves particles a little: the neighbours must still be listed.
 template <int D>
-void Solver<D>::transport_densities() {
+void Solver<D>::transport_strains(double time_step) {
   if constexpr (D == 1) {
-    const auto cold_energy = [&] {
-      double energy = 0.0;
-      for (const auto& body : recipe_.bodies) energy += body.eos->elastic_energy(body.range);
-      return energy;
-    };
-    const double before = cold_energy();
-    recipe_.transport->filter_density();
-    ledger_.smoothing_loss += before - cold_energy();
+    recipe_.transport->filter_strain(strain_rate_, time_step);
+    for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>& report) {
+      note_displacements(tile, report);
+      pack_geometry(tile.range);
+    });
+    refresh_neighbours();
   }
 }
 
@@ -76,7 +74,7 @@ void Solver<D>::transport_densities() {
   template void Solver<D>::kick_loaded_faces();    \
   template void Solver<D>::account_loads();        \
   template void Solver<D>::transport_velocities(); \
-  template void Solver<D>::transport_densities()
+  template void Solver<D>::transport_strains(double)
 ANVIL_INSTANTIATE(1);
 ANVIL_INSTANTIATE(2);
 ANVIL_INSTANTIATE(3);

@@ -69,6 +69,16 @@ double density_under_weight(const Scene& scene, const BodyDescription& body, con
   return light;
 }
 
+/// Axial stress over strain of the unloaded material in a line, Pa: K + 4 G / 3, or Young's modulus of a bar.
+double axial_modulus(const Scene& scene, const MaterialDescription& material) {
+  const double speed = elastic_wave_speed(material), stiffness = material.density * speed * speed;
+  const double shear =
+      std::visit([](const auto& law) { return law.shear_modulus(); }, make_strength(material.strength));
+  if (scene.domain.strain_state != "uniaxial_stress" || shear == 0.0) return stiffness;
+  const double bulk = stiffness - 4.0 / 3.0 * shear;
+  return 9.0 * bulk * shear / (3.0 * bulk + shear);
+}
+
 MomentumForm momentum_form_of(const Scene& scene) {
   const std::string& form = scene.discretisation.momentum_form;
   if (form == "difference") return MomentumForm::difference;
@@ -140,10 +150,9 @@ void add_line_terms(const Scene& scene, const std::vector<ParticleRange>& ranges
   if (scene.shock.method != "fct") return;
   TransportCoefficients coefficients{.diffusion = scene.shock.diffusion, .antidiffusion = scene.shock.antidiffusion};
   if (scene.shock.limiter == "six_arguments") coefficients.limiter = FluxLimiter::six_arguments;
-  std::vector<double> reference_density;
-  for (const auto& body : scene.bodies) reference_density.push_back(material_of(scene, body).density);
-  recipe.transport =
-      std::make_unique<LineTransport>(fields, order, ranges, reference_density, recipe.support, coefficients);
+  std::vector<double> modulus;
+  for (const auto& body : scene.bodies) modulus.push_back(axial_modulus(scene, material_of(scene, body)));
+  recipe.transport = std::make_unique<LineTransport>(fields, order, ranges, modulus, recipe.support, coefficients);
 }
 
 /// The surfaces that bodies meet with, numbered as their particles are.

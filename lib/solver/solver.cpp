@@ -45,6 +45,7 @@ Solver<D>::Solver(const Scene& scene)
   velocities_filtered_ = !recipe_.filters.empty() || recipe_.transport != nullptr;
   load_steps_.resize(recipe_.loads.size());
   face_stress_.resize(recipe_.loads.size());
+  if (recipe_.transport) strain_rate_.resize(particle_count());
   if (velocities_filtered_) {
     fields_.require(field::start_velocity, D);
     start_velocity_ = fields_.vector<D>(field::start_velocity);
@@ -93,6 +94,7 @@ void Solver<D>::size_scratch() {
     scratch.loss.resize(tile_size);
     scratch.sound_speed.resize(tile_size);
     scratch.per_edge.resize(static_cast<std::size_t>(most_edges) * D * D);
+    scratch.step_limit.resize(tile_size);
     if (D == 1) scratch.lateral_rate.resize(tile_size);
   }
 }

@@ -90,7 +90,7 @@ class Solver final : public Simulation {
     std::vector<double> gradient[D], plain_gradient[D], value;
     std::vector<double> per_particle;  // velocity gradients, accelerations or changes of the tile
     std::vector<double> per_edge;      // velocity gradients
-    std::vector<double> loss, sound_speed, lateral_rate;
+    std::vector<double> loss, sound_speed, step_limit, lateral_rate;
   };
 
   // step.cpp, in the order of a step
@@ -108,7 +108,7 @@ class Solver final : public Simulation {
   void move(double time_step);
   void refresh_neighbours();
   void strain(double time_step);
-  void transport_densities();
+  void transport_strains(double time_step);
 
   void strain_from_reference(double time_step);  // total_lagrangian_step.cpp
   void deform_from_reference(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
@@ -120,14 +120,19 @@ class Solver final : public Simulation {
   void filter_tile(const Tile& tile, const VelocityFilter<D>& filter, Scratch& scratch, double time_step,
                    TileReport<D>& report);
   void move_tile(const Tile& tile, double time_step, TileReport<D>& report);
+  void note_displacements(const Tile& tile, TileReport<D>& report) const;
   void apply_boundaries(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
-  void deform_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
+  void strain_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
+  void find_velocity_gradients(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
+  void deform_tile(const Tile& tile, const double* velocity_gradient, Scratch& scratch, double time_step,
+                   TileReport<D>& report);
   void respond_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
   void diffuse_density(const Tile& tile, const PairTile<D>& pairs, Scratch& scratch, double time_step,
                        TileReport<D>& report);
   void update_density(ParticleRange range, const double* velocity_gradient, const double* lateral_rate,
                       double time_step);
-  void pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report);
+  void pack_limit_and_check(const Tile& tile, Scratch& scratch, TileReport<D>& report);
+  void find_step_limits(const Tile& tile, Scratch& scratch) const;
 
   // solver.cpp and tiles.hpp
   template <class Work>
@@ -140,7 +145,6 @@ class Solver final : public Simulation {
   void list_neighbours();
   void freeze_pairs();
   void pack_start(ParticleRange range);
-  void note_displacements(ParticleRange range, TileReport<D>& report);
   void wrap_positions();
   void find_images();
   void fill_image_places();
@@ -207,6 +211,7 @@ class Solver final : public Simulation {
   };
   std::vector<LoadStep> load_steps_;
   std::vector<double> face_stress_;  // Pa, by load: the mean over the kick
+  std::vector<double> strain_rate_;  // 1/s, along the line; only where strains are filtered
 
   double skin_ = 0.0;  // m
   double kick_ = 0.0;  // s, of the present step

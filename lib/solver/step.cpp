@@ -220,16 +220,16 @@ void Solver<D>::move_tile(const Tile& tile, double time_step, TileReport<D>& rep
     for (const auto& boundary : recipe_.boundaries) broken = broken || boundary->forbids(position_[i]);
     if (broken && report.broken_particle < 0) report.broken_particle = static_cast<std::int32_t>(i);
   }
-  if (!recipe_.deformation) note_displacements(tile.range, report);
+  if (!recipe_.deformation) note_displacements(tile, report);
 }
 
-/// What refresh_neighbours asks for.
+/// Since the neighbour list was made.
 template <int D>
-void Solver<D>::note_displacements(ParticleRange range, TileReport<D>& report) {
+void Solver<D>::note_displacements(const Tile& tile, TileReport<D>& report) const {
   report.least_displacement.setConstant(std::numeric_limits<double>::max());
   report.greatest_displacement = -report.least_displacement;
   report.greatest_growth = 0.0;
-  for (std::size_t i = range.first(); i < range.last(); ++i) {
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
     const Vec<D> displacement = position_[i] - listed_position_[i];
     report.least_displacement = report.least_displacement.cwiseMin(displacement);
     report.greatest_displacement = report.greatest_displacement.cwiseMax(displacement);
@@ -266,19 +266,21 @@ void Solver<D>::strain(double time_step) {
   if (recipe_.deformation) return strain_from_reference(time_step);
   if constexpr (D == 1)
     if (recipe_.face_ghosts) recipe_.face_ghosts->hide(records_);
-  if (recipe_.transport && time_step > 0.0) {  // its densities come before any stress of the step
-    recipe_.transport->remember_density();
+  if (recipe_.transport && time_step > 0.0) {  // filters the rates of all before any stress follows from them
     for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
-      deform_tile(tile, scratch, time_step, report);
+      find_velocity_gradients(tile, scratch, time_step, report);
+      std::copy_n(scratch.per_particle.data(), tile.range.count(), strain_rate_.data() + tile.range.begin);
     });
-    transport_densities();
+    transport_strains(time_step);
     for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+      deform_tile(tile, strain_rate_.data() + tile.range.begin, scratch, time_step, report);
       respond_tile(tile, scratch, time_step, report);
     });
+    if constexpr (D == 1) ledger_.smoothing_loss += recipe_.transport->strain_loss();
   } else if (recipe_.density_diffusion > 0.0) {  // which reads the densities of before from the records
     fill_image_states();
     for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
-      deform_tile(tile, scratch, time_step, report);
+      strain_tile(tile, scratch, time_step, report);
     });
     for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
       respond_tile(tile, scratch, time_step, report);
@@ -286,7 +288,7 @@ void Solver<D>::strain(double time_step) {
     for (const auto& report : reports_) ledger_.smoothing_loss += report.diffusion_loss;
   } else {
     for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
-      deform_tile(tile, scratch, time_step, report);
+      strain_tile(tile, scratch, time_step, report);
       respond_tile(tile, scratch, time_step, report);
     });
   }
@@ -309,27 +311,37 @@ void Solver<D>::collect_strain_reports() {
 }
 
 template <int D>
-void Solver<D>::deform_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
-  const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];
-  double* velocity_gradient = scratch.per_particle.data();
+void Solver<D>::strain_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
   report.plastic_work = report.diffusion_loss = 0.0;
   report.uncorrected = 0;
-  if (time_step > 0.0 && !(recipe_.holds_particles && is_held(tile))) {
-    const bool diffuses = recipe_.density_diffusion > 0.0;
-    const PairTile<D> pairs = open_tile(tile, scratch, {.gradient = true, .plain_gradient = diffuses});
-    report.uncorrected = pairs.uncorrected;
-    loops_.velocity_gradient(pairs, records_, velocity_gradient);
-    if (recipe_.holds_particles) stop_straining_held(tile, velocity_gradient);
-    take_to_mid_step<D>(velocity_gradient, tile.range.count(), time_step);
-    const double* lateral_rate = nullptr;
-    if (body.lateral_release) {
-      body.lateral_release->find_rates(tile.range, velocity_gradient, time_step, scratch.lateral_rate.data());
-      lateral_rate = scratch.lateral_rate.data();
-    }
-    if (diffuses) diffuse_density(tile, pairs, scratch, time_step, report);
-    update_density(tile.range, velocity_gradient, lateral_rate, time_step);
-    report.plastic_work = body.strength->update(tile.range, velocity_gradient, lateral_rate, time_step);
+  if (time_step == 0.0 || (recipe_.holds_particles && is_held(tile))) return;
+  find_velocity_gradients(tile, scratch, time_step, report);
+  deform_tile(tile, scratch.per_particle.data(), scratch, time_step, report);
+}
+
+/// Into the scratch memory, D x D per particle, of the middle of the step. Density diffuses over the same pairs.
+template <int D>
+void Solver<D>::find_velocity_gradients(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
+  const bool diffuses = recipe_.density_diffusion > 0.0;
+  const PairTile<D> pairs = open_tile(tile, scratch, {.gradient = true, .plain_gradient = diffuses});
+  report.uncorrected = pairs.uncorrected;
+  loops_.velocity_gradient(pairs, records_, scratch.per_particle.data());
+  if (recipe_.holds_particles) stop_straining_held(tile, scratch.per_particle.data());
+  take_to_mid_step<D>(scratch.per_particle.data(), tile.range.count(), time_step);
+  if (diffuses) diffuse_density(tile, pairs, scratch, time_step, report);
+}
+
+template <int D>
+void Solver<D>::deform_tile(const Tile& tile, const double* velocity_gradient, Scratch& scratch, double time_step,
+                            TileReport<D>& report) {
+  const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];
+  const double* lateral_rate = nullptr;
+  if (body.lateral_release) {
+    body.lateral_release->find_rates(tile.range, velocity_gradient, time_step, scratch.lateral_rate.data());
+    lateral_rate = scratch.lateral_rate.data();
   }
+  update_density(tile.range, velocity_gradient, lateral_rate, time_step);
+  report.plastic_work = body.strength->update(tile.range, velocity_gradient, lateral_rate, time_step);
 }
 
 /// The compression that diffusion brings is no work of the motion: its energy p/rho^2 drho is booked as the filter's.
@@ -350,7 +362,7 @@ template <int D>
 void Solver<D>::respond_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
   const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];
   const bool limited = body.strength->limits_pressure();
-  double* kept = scratch.per_particle.data();
+  double* kept = scratch.loss.data();
   if (limited) std::copy_n(pressure_.data() + tile.range.begin, tile.range.count(), kept);
   body.eos->update(tile.range, scratch.sound_speed.data());
   if (limited && time_step > 0.0)
@@ -361,7 +373,7 @@ void Solver<D>::respond_tile(const Tile& tile, Scratch& scratch, double time_ste
     report.bulk_viscous_loss = recipe_.bulk_viscosity->update(tile.range, scratch.per_particle.data(),
                                                               scratch.sound_speed.data(), time_step);
   for (const auto& force : recipe_.forces) force->pack(tile.range, records_);
-  pack_limit_and_check(tile, scratch.sound_speed.data(), report);
+  pack_limit_and_check(tile, scratch, report);
 }
 
 /// drho/dt = -rho div v and dh/dt = (h/d) div v over one step, by the midpoint rule. The smoothing length belongs to
@@ -379,32 +391,53 @@ void Solver<D>::update_density(ParticleRange range, const double* velocity_gradi
   }
 }
 
-/// The time step rule dt = cfl h / (c + |v|), c the longitudinal wave speed (Long 2007, equation 12), and for viscous
-/// fluids dt = h^2 / (8 nu).
 template <int D>
-void Solver<D>::pack_limit_and_check(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report) {
-  const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];
-  const double shear_modulus = body.strength->shear_modulus();
-  report.step_limit = std::numeric_limits<double>::max();
-  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
-    const double wave_speed = std::sqrt(*bulk_sound_speed_squared++ + 4.0 / 3.0 * shear_modulus / density_[i]);
-    double limit = scene_.time.cfl * smoothing_length_[i] / (wave_speed + velocity_[i].norm());
-    if (body.viscosity > 0.0)  // Morris, Fox and Zhu 1997, equation 24
-      limit = std::min(limit, 0.125 * smoothing_length_[i] * smoothing_length_[i] * density_[i] / body.viscosity);
-    if (medium_needed_) {
+void Solver<D>::pack_limit_and_check(const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+  find_step_limits(tile, scratch);
+  if (medium_needed_) {
+    const double viscosity = recipe_.bodies[static_cast<std::size_t>(tile.body)].viscosity;
+    double* sound_speed = scratch.sound_speed.data();
+    for (int k = 0; k < tile.range.count(); ++k) sound_speed[k] = std::sqrt(sound_speed[k]);
+    for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
       double* medium = records_.medium[i];
-      medium[0] = wave_speed;
+      medium[0] = *sound_speed++;
       medium[1] = density_[i];
       medium[2] = mass_[i];
-      medium[3] = body.viscosity;
+      medium[3] = viscosity;
     }
-    const bool sound = density_[i] > 0.0 && smoothing_length_[i] > 0.0 && limit > 0.0 && std::isfinite(pressure_[i]);
+  }
+  report.step_limit = std::numeric_limits<double>::max();
+  const double* limit = scratch.step_limit.data();
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i, ++limit) {
+    const bool sound = density_[i] > 0.0 && smoothing_length_[i] > 0.0 && *limit > 0.0 && std::isfinite(pressure_[i]);
     if (!sound && report.broken_particle < 0) report.broken_particle = static_cast<std::int32_t>(i);
-    if (limit < report.step_limit) {
-      report.step_limit = limit;
+    if (*limit < report.step_limit) {
+      report.step_limit = *limit;
       report.limiting_particle = static_cast<std::int32_t>(i);
     }
   }
+}
+
+/// The time step rule dt = cfl h / (c + |v|), c the longitudinal wave speed (Long 2007, equation 12), and for viscous
+/// fluids dt = h^2 / (8 nu) (Morris, Fox and Zhu 1997, equation 24). Roots and quotients stand in short loops of their own, which the compiler turns into vectors.
+template <int D>
+void Solver<D>::find_step_limits(const Tile& tile, Scratch& scratch) const {
+  const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];
+  const double stiffness = 4.0 / 3.0 * body.strength->shear_modulus();
+  const double cfl = scene_.time.cfl;
+  const std::size_t first = tile.range.first(), count = tile.range.last() - first;
+  const double *bulk_squared = scratch.sound_speed.data(), *density = &density_[first];
+  const double *smoothing_length = &smoothing_length_[first], *velocity = velocity_.raw() + first * D;
+  double* limit = scratch.step_limit.data();
+  for (std::size_t k = 0; k < count; ++k) limit[k] = std::sqrt(bulk_squared[k] + stiffness / density[k]);
+  for (std::size_t k = 0; k < count; ++k) {
+    double speed = 0.0;
+    for (std::size_t a = 0; a < D; ++a) speed += velocity[k * D + a] * velocity[k * D + a];
+    limit[k] = cfl * smoothing_length[k] / (limit[k] + std::sqrt(speed));
+  }
+  if (body.viscosity == 0.0) return;
+  for (std::size_t k = 0; k < count; ++k)
+    limit[k] = std::min(limit[k], 0.125 * smoothing_length[k] * smoothing_length[k] * density[k] / body.viscosity);
 }
 
 template void Solver<1>::advance(double);

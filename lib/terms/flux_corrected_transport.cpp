@@ -29,8 +29,10 @@ void FluxCorrectedTransport::apply(std::span<const double> before, std::span<dou
   const std::size_t links = link.size();
   flux_.resize(links);
   difference_.resize(links);
+  moved_.assign(links, 0.0);
   for (std::size_t k = 0; k < links; ++k) flux_[k] = coefficients_.antidiffusion * (after[k + 1] - after[k]);
   const auto move_along = [&](std::size_t k, double moved) {  // from k + 1 to k
+    moved_[k] += moved;
     after[k] += moved / weight[k];
     after[k + 1] -= moved / weight[k + 1];
   };

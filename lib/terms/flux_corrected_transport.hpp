@@ -30,6 +30,8 @@ class FluxCorrectedTransport {
   /// was. link[k] carries the flux between k and k + 1: the smaller of their weights, or 0 where nothing may flow.
   void apply(std::span<const double> before, std::span<double> after, std::span<const double> weight,
              std::span<const double> link);
+  /// What the last filter moved over each link, from k + 1 to k, in units of weight times value.
+  [[nodiscard]] std::span<const double> moved() const { return moved_; }
 
  private:
   [[nodiscard]] double limited(double flux, std::size_t link_index, std::span<const double> link) const;
@@ -37,6 +39,7 @@ class FluxCorrectedTransport {
   TransportCoefficients coefficients_;
   std::vector<double> flux_;        // of the antidiffusion, per link
   std::vector<double> difference_;  // of the diffused values, per link
+  std::vector<double> moved_;
 };
 
 }  // namespace anvil

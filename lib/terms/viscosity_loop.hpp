@@ -7,7 +7,8 @@
 namespace anvil::ANVIL_SIMD_LEVEL {
 
 /// Artificial viscosity (Monaghan and Gingold 1983): acceleration_i -= sum_j m_j Pi_ij grad_ij for approaching pairs,
-/// Pi = (-alpha c mu + beta mu^2)/rho with means of the pair, mu = h v_ij . x_ij / (x_ij^2 + eps h^2).
+/// Pi = (-alpha c mu + beta mu^2)/rho with means of the pair, c the bulk sound speed, mu = h v_ij . x_ij /
+/// (x_ij^2 + eps h^2).
 /// heating: W/kg per particle of the tile, half of each pair's loss.
 template <int D>
 void sum_viscosity(const PairTile<D>& tile, const PairRecords<D>& records, const ViscosityCoefficients& coefficients,
@@ -34,14 +35,15 @@ void sum_viscosity(const PairTile<D>& tile, const PairRecords<D>& records, const
         distance_squared += x_ij * x_ij;
         work += v_ij * grad[a];
       }
-      if constexpr (lanes<D> == 1)
-        if (!(approach.first() < 0.0) || grad[0].first() == 0.0) continue;  // parting, or out of reach
+      if ((approach < L(0.0)).bits() == 0) continue;  // all part
       load_record(records.medium, tile.neighbour + k, other_medium);
       const L h = L(0.5) * (L(place[D]) + other_place[D]);
-      const L mu = min(h * approach / (distance_squared + epsilon * h * h), L(0.0));
+      const L softened = distance_squared + epsilon * h * h;
       const L sound_speed = L(0.5) * (L(medium[0]) + other_medium[0]);
       const L density = L(0.5) * (L(medium[1]) + other_medium[1]);
-      const L pi_ij = other_medium[2] * (beta * mu - alpha * sound_speed) * mu / density;
+      const L inverse = L(1.0) / (softened * density);  // of both: divisions cost more than all the rest
+      const L mu = min(h * approach * inverse * density, L(0.0));
+      const L pi_ij = other_medium[2] * (beta * mu - alpha * sound_speed) * mu * (inverse * softened);
       for (int a = 0; a < D; ++a) sum[a] -= pi_ij * grad[a];
       heat += L(0.5) * pi_ij * work;
     }

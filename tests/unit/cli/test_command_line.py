@@ -83,6 +83,10 @@ class CommandLine(unittest.TestCase):
 
 
 class Help(CommandLine):
+    def test_finds_a_bundled_scene_beside_a_result_of_its_name(self):
+        (self.folder / "thin_rod").mkdir()
+        self.assertEqual(self.anvil("check", "thin_rod").returncode, 0)
+
     def test_help_lists_every_subcommand_and_each_has_its_own(self):
         outcome = self.anvil("--help")
         self.expect(outcome, 0, "Usage: anvil", "Exit codes")

@@ -69,7 +69,7 @@ TEST(PlateReference, StatesItsErrorHonestly) {
   const PlateReference finest = solve_plate(problem, times, {.step = 1.0 / 512.0, .smallest = 1.0 / 102400.0});
   for (std::size_t i = 0; i < times.size(); ++i) {
     const double error =
-        mean_stress_difference(reference.profiles[i], finest.profiles[i]) / mean_stress(finest.profiles[i]);
+        sampled_stress_difference(reference.profiles[i], finest.profiles[i]) / mean_stress(finest.profiles[i]);
     // Of first order the error equals the difference to the run of twice the step; half of it again for good measure.
     EXPECT_LT(error, 1.5 * reference.relative_errors[i]) << i;
     EXPECT_GT(error, 0.1 * reference.relative_errors[i]) << i;
@@ -85,6 +85,21 @@ TEST(PlateReference, GivesAnAnswerWhereWavesWithoutEndAreTrapped) {
   EXPECT_NEAR(reference.profiles.front().momentum(), impulse, 1e-3 * impulse);
 }
 
+/// A wave of round-off, whose stress cannot be met more closely than the digits allow, once ended this run.
+TEST(PlateReference, FollowsAHardeningBarThroughItsUnloading) {
+  ElasticPlasticConstants constants{.shear_modulus = 78.0 * gpa};
+  constants.yield_stress = 0.4 * gpa;
+  constants.hardening_modulus = 30.0 * gpa;
+  PlateProblem problem;
+  problem.layers.push_back({80.0 * mm, WaveMaterial::uniaxial_stress(7800.0, 202.146 * gpa, constants), 0.0});
+  problem.left_face.pressure =
+      PressureHistory::tabulated({0.0, 2.0 * us, 6.0 * us, 8.0 * us}, {0.0, 0.8 * gpa, 0.8 * gpa, 0.0});
+  const PlateReference reference = solve_plate(problem, {10.0 * us});
+  EXPECT_LT(reference.relative_errors.front(), 5e-3);
+  const double impulse = 0.8 * gpa * 6.0 * us;
+  EXPECT_NEAR(reference.profiles.front().momentum(), impulse, 1e-3 * impulse);
+}
+
 TEST(PlateReference, RefusesTimesOutOfOrder) {
   EXPECT_THROW(solve_plate(perfect_plate(steel()), {2.0 * us, 1.0 * us}), InputError);
   EXPECT_THROW(solve_plate(perfect_plate(steel()), {}), InputError);
@@ -95,7 +110,7 @@ double distance(const LagrangianMesh& mesh, const WaveProfile& profile) {
   double difference = 0.0;
   double sum = 0.0;
   for (std::size_t i = 0; i < mesh.size(); ++i) {
-    const double exact = profile.zone_at(mesh.position(i)).state.stress;
+    const double exact = profile.state_at(mesh.position(i)).stress;
     difference += std::abs(mesh.stress(i) - exact);
     sum += std::abs(exact);
   }

@@ -88,6 +88,9 @@ TYPED_TEST(EveryKernel, SlopeIsTheDerivativeOfTheValue) {
     if (std::abs(q - TypeParam::support) < 2.0 * step) continue;
     const double difference = (TypeParam::value(q + step) - TypeParam::value(q - step)) / (2.0 * step);
     EXPECT_NEAR(q * TypeParam::slope_over_q(q), difference, tolerance) << "q = " << q;
+    if constexpr (requires { TypeParam::slope(q); }) {
+      EXPECT_NEAR(TypeParam::slope(q), q * TypeParam::slope_over_q(q), 1e-14) << "q = " << q;
+    }
   }
 }
 

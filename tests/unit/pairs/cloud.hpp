@@ -134,7 +134,7 @@ struct Cloud {
       }
       records.geometry[i][D] = scalar(field::smoothing_length, i);
       records.motion[i][D] = volume(i);
-      records.medium[i][0] = wave_speed[i];
+      records.medium[i][0] = sound_speed[i];
       records.medium[i][1] = scalar(field::density, i);
       records.medium[i][2] = scalar(field::mass, i);
     }
@@ -165,7 +165,7 @@ struct Cloud {
   Kernel kernel;
   std::size_t count;
   FieldStore fields;
-  std::vector<double> wave_speed;
+  std::vector<double> sound_speed;
   NeighbourList<D> list;
   PairRecords<D> records;
   std::vector<double> gradient[D], value;
@@ -181,7 +181,7 @@ struct Cloud {
       fields.scalar(field::pressure)[i] = 1e9 * unit(random);
       for (int c = 0; c < components; ++c) deviator(i)[c] = 1e9 * unit(random);
       for (int a = 0; a < D; ++a) velocity()[i][a] = 100.0 * unit(random);
-      wave_speed.push_back(5000.0 * (1.0 + 0.1 * unit(random)));
+      sound_speed.push_back(5000.0 * (1.0 + 0.1 * unit(random)));
     }
   }
 };

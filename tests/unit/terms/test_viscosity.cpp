@@ -14,9 +14,9 @@ double scalar_pi(Cloud<D>& cloud, std::size_t i, std::size_t j) {
   const double approach = pair.v.dot(pair.x);
   if (approach >= 0.0) return 0.0;
   const double mu = pair.h * approach / (pair.x.squaredNorm() + coefficients.softening * pair.h * pair.h);
-  const double wave_speed = 0.5 * (cloud.wave_speed[i] + cloud.wave_speed[j]);
+  const double sound_speed = 0.5 * (cloud.sound_speed[i] + cloud.sound_speed[j]);
   const double density = 0.5 * (cloud.scalar(field::density, i) + cloud.scalar(field::density, j));
-  return (-coefficients.linear * wave_speed * mu + coefficients.quadratic * mu * mu) / density;
+  return (-coefficients.linear * sound_speed * mu + coefficients.quadratic * mu * mu) / density;
 }
 
 template <class T>

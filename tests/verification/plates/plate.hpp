@@ -83,7 +83,7 @@ inline PlateComparison compare_plate(const Frame& frame, const WaveProfile& exac
   for (std::size_t i = 0; i < particles; ++i) {
     result.position.push_back(initial[3 * i]);
     result.stress.push_back(stress[6 * i]);
-    result.exact.push_back(exact.zone_at(initial[3 * i]).state.stress);
+    result.exact.push_back(exact.state_at(initial[3 * i]).stress);
     peak = std::max(peak, std::abs(result.exact[i]));
     result.l1 += std::abs(result.stress[i] - result.exact[i]);
   }
