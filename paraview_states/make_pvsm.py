@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes rod.pvsm from rod.py: a state that File > Load State opens without Python.
+"""Makes a .pvsm from one of the Python states: what File > Load State opens without Python.
 
-    scripts/pvbatch paraview_states/make_pvsm.py RESULT STATE.pvsm
+    scripts/pvbatch paraview_states/make_pvsm.py STATE.py RESULT STATE.pvsm
 
-RESULT is a result of the scene rod_square. ParaView writes absolute paths into a state; here they become the bare name of
-the .pvd, which ParaView asks for, or looks for in the folder given as data directory, when it loads the state.
+RESULT is a result the state can show. ParaView writes absolute paths into a state; here they become the bare names of
+the .pvd and of history.csv, which ParaView asks for, or looks for in the folder given as data directory, when it loads
+the state.
 """
 
 import os
@@ -15,17 +16,16 @@ from pathlib import Path
 
 from paraview import servermanager
 
-folder = Path(__file__).resolve().parent
-result, target = sys.argv[1], Path(sys.argv[2])
-sys.argv = ["rod.py", result]
-state = runpy.run_path(str(folder / "rod.py"))
+state, result, target = Path(sys.argv[1]).resolve(), sys.argv[2], Path(sys.argv[3])
+sys.argv = [str(state), result]
+series = runpy.run_path(str(state))["path"]
 
 with tempfile.TemporaryDirectory() as scratch:
     written = Path(scratch) / "state.pvsm"
     servermanager.SaveState(str(written))
     text = written.read_text()
-series = state["find_series"]()
-text = text.replace(str(series), series.name)
+for file in (series, series.parent / "history.csv"):
+    text = text.replace(str(file), file.name)
 if str(series.parent) in text or "<ServerManagerState" not in text:
     raise SystemExit("make_pvsm.py: ParaView wrote a state that cannot be moved")
 unfinished = target.with_name(target.name + ".part")

@@ -4,12 +4,18 @@
 #include <vtkLookupTable.h>
 #include <vtkSmartPointer.h>
 
+#include <string>
+#include <vector>
+
 #include "vtk_io/render.hpp"
 
 namespace anvil {
 
-/// Light grey at zero, over yellow and red to dark red upward and over light blue to dark blue downward: where nothing
-/// happens, shading shows the shape. The ends of `range` get the darkest colour only on the side that reaches further.
-vtkSmartPointer<vtkLookupTable> make_color_map(const FieldRange& range);
+/// The colours of the map of that name over `range`; an empty name stands for "strain". Maps around zero get the
+/// darkest colour only on the side of the range that reaches further. Throws InputError with the names there are.
+vtkSmartPointer<vtkLookupTable> make_color_map(const std::string& name, const FieldRange& range);
+
+/// A colour of its own for each whole number from 0 to `count` - 1.
+vtkSmartPointer<vtkLookupTable> make_categories(int count);
 
 }  // namespace anvil

@@ -2,17 +2,16 @@
 #include "vtk_io/drawn_particles.hpp"
 
 #include <vtkDoubleArray.h>
-#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
-#include <vtkStaticPointLocator.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "anvil/core/error.hpp"
+#include "anvil/measures/particle_interpolation.hpp"
 
 namespace anvil {
 namespace {
@@ -34,33 +33,6 @@ void add_vertices(vtkPolyData& points) {
   points.SetVerts(vertices);
 }
 
-/// The median over the particles of the distance to the nearest other one.
-double median_spacing(vtkDataArray* positions) {
-  vtkNew<vtkPoints> points;
-  points->SetData(positions);
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(points);
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(cloud);
-  locator->BuildLocator();
-  std::vector<double> distances;
-  vtkNew<vtkIdList> nearest;
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
-    locator->FindClosestNPoints(2, points->GetPoint(i), nearest);
-    if (nearest->GetNumberOfIds() < 2) continue;
-    const vtkIdType other = nearest->GetId(0) == i ? nearest->GetId(1) : nearest->GetId(0);
-    double a[3];
-    double b[3];
-    points->GetPoint(i, a);
-    points->GetPoint(other, b);
-    distances.push_back(std::sqrt(vtkMath::Distance2BetweenPoints(a, b)));
-  }
-  if (distances.empty()) return 1.0;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
-}
-
 /// Boxes around the initial positions of each body; particles reach half a spacing beyond their centres.
 std::vector<vtkBoundingBox> undeformed_boxes(const Frame& frame, vtkDataArray* initial, double spacing) {
   const FrameArray* bodies = frame.find("body");
@@ -79,6 +51,12 @@ std::vector<vtkBoundingBox> undeformed_boxes(const Frame& frame, vtkDataArray* i
 
 }  // namespace
 
+vtkBoundingBox drawn_box(const std::array<double, 6>& box) {
+  std::array<double, 6> drawn{};
+  std::transform(box.begin(), box.end(), drawn.begin(), [](double x) { return x * millimetres; });
+  return vtkBoundingBox(drawn.data());
+}
+
 DrawnParticles make_drawn_particles(const Frame& frame, const std::vector<double>& colored_by) {
   if (!std::all_of(frame.positions.begin(), frame.positions.end(), [](double x) { return std::isfinite(x); }))
     throw InputError("the frame holds positions that are not numbers: the run went wrong before it");
@@ -91,14 +69,16 @@ DrawnParticles make_drawn_particles(const Frame& frame, const std::vector<double
 
   vtkNew<vtkDoubleArray> colors;
   colors->SetName("colored_by");
-  for (const double value : colored_by) colors->InsertNextValue(value);
+  colors->SetNumberOfTuples(static_cast<vtkIdType>(colored_by.size()));
+  std::copy(colored_by.begin(), colored_by.end(), colors->GetPointer(0));
   particles.points->GetPointData()->SetScalars(colors);
 
   const FrameArray* initial = frame.find(initial_position);
   const auto reference = make_lengths(initial == nullptr ? frame.positions : initial->values);
   reference->SetName(initial_position);
   particles.points->GetPointData()->AddArray(reference);
-  particles.spacing = median_spacing(reference);
+  const double spacing = usual_spacing(initial == nullptr ? frame.positions : initial->values, frame.dimension);
+  particles.spacing = spacing > 0.0 ? millimetres * spacing : 1.0;
   if (initial != nullptr) particles.undeformed = undeformed_boxes(frame, reference, particles.spacing);
   return particles;
 }

@@ -19,6 +19,9 @@ struct DrawnParticles {
   std::vector<vtkBoundingBox> undeformed;  // of each body, faces included; empty without initial_position
 };
 
+/// A box in metres (x low, x high, y low, ...) as it is drawn.
+vtkBoundingBox drawn_box(const std::array<double, 6>& box);
+
 /// Throws InputError when a position is not finite.
 DrawnParticles make_drawn_particles(const Frame& frame, const std::vector<double>& colored_by);
 

@@ -21,8 +21,12 @@ struct SelectedField {
 /// field.
 SelectedField select_field(const Frame& frame, const std::string& name);
 
-/// Ends of the colour bar in the unit of the field: `wanted` (SI) or, without it, the values rounded outward to a nice
-/// step. Throws InputError when `wanted` is empty.
-FieldRange range_of(const SelectedField& field, const std::optional<FieldRange>& wanted);
+/// Least and greatest finite value, SI; absent when there is none.
+std::optional<FieldRange> extremes_of(const SelectedField& field);
+
+/// Ends of the colour bar in the unit of the field: `wanted` or, without it, `extremes` rounded outward to a nice step
+/// (both SI). Throws InputError when `wanted` is empty.
+FieldRange range_of(const SelectedField& field, const std::optional<FieldRange>& wanted,
+                    const std::optional<FieldRange>& extremes);
 
 }  // namespace anvil

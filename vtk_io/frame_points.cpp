@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "anvil/core/error.hpp"
 
@@ -84,12 +86,7 @@ void fill_points(const Frame& frame, bool double_precision, vtkPointSet& target)
   const FrameArray positions{"Points", "m", 3, false, frame.positions};
   points->SetData(make_point_array(positions, double_precision));
   target.SetPoints(points);
-  for (const FrameArray& array : frame.arrays) {
-    if (array.values.size() != frame.particle_count() * static_cast<std::size_t>(array.components))
-      throw std::logic_error("array '" + array.name + "' does not have one tuple per particle");
-    target.GetPointData()->AddArray(make_point_array(array, double_precision));
-  }
-  add_field_data(frame, *target.GetFieldData());
+  add_arrays(frame, double_precision, target);
 }
 
 /// One vertex cell per particle: without cells many of ParaView's filters drop the points.
@@ -100,11 +97,19 @@ vtkSmartPointer<vtkCellArray> make_vertices(std::size_t count) {
   return cells;
 }
 
-double number_of(vtkFieldData& fields, const char* name, const std::string& source) {
+/// Absent when the file is not one of Anvil's, or is damaged.
+std::optional<double> number_of(vtkFieldData& fields, const char* name) {
   vtkDataArray* array = fields.GetArray(name);
-  if (array == nullptr || array->GetNumberOfTuples() != 1)
-    throw InputError("'" + source + "' has no field data '" + name + "': it is not a particle file written by Anvil");
+  if (array == nullptr || array->GetNumberOfTuples() != 1) return std::nullopt;
   return array->GetTuple1(0);
+}
+
+/// Without a word on it: the directions in which the points differ.
+int dimension_of(vtkPointSet& points) {
+  double bounds[6];
+  points.GetBounds(bounds);
+  if (bounds[4] != bounds[5]) return 3;
+  return bounds[2] != bounds[3] ? 2 : 1;
 }
 
 std::map<std::string, std::string> units_of(vtkFieldData& fields) {
@@ -138,7 +143,36 @@ std::vector<double> values_of(vtkDataArray& array) {
   return values;
 }
 
+bool is_whole(vtkDataArray& array) { return array.GetDataType() != VTK_FLOAT && array.GetDataType() != VTK_DOUBLE; }
+
+/// Vectors of two components get a third, full tensors become their symmetric part: what other programs write.
+void adopt_components(FrameArray& array) {
+  if (array.components != 2 && array.components != 9) return;
+  const auto before = static_cast<std::size_t>(array.components);
+  const std::size_t count = array.values.size() / before;
+  array.components = before == 2 ? 3 : 6;
+  std::vector<double> values;
+  values.reserve(count * static_cast<std::size_t>(array.components));
+  for (std::size_t i = 0; i < count; ++i) {
+    const double* t = &array.values[before * i];
+    if (before == 2)
+      values.insert(values.end(), {t[0], t[1], 0.0});
+    else
+      values.insert(values.end(), {t[0], t[4], t[8], 0.5 * (t[1] + t[3]), 0.5 * (t[5] + t[7]), 0.5 * (t[2] + t[6])});
+  }
+  array.values = std::move(values);
+}
+
 }  // namespace
+
+void add_arrays(const Frame& frame, bool double_precision, vtkDataSet& target) {
+  for (const FrameArray& array : frame.arrays) {
+    if (array.values.size() != frame.particle_count() * static_cast<std::size_t>(array.components))
+      throw std::logic_error("array '" + array.name + "' does not have one tuple per particle");
+    target.GetPointData()->AddArray(make_point_array(array, double_precision));
+  }
+  add_field_data(frame, *target.GetFieldData());
+}
 
 vtkSmartPointer<vtkPolyData> make_poly_data(const Frame& frame, bool double_precision) {
   auto poly_data = vtkSmartPointer<vtkPolyData>::New();
@@ -158,10 +192,10 @@ Frame make_frame(vtkPointSet& points, const std::string& source) {
   if (points.GetNumberOfPoints() == 0) throw InputError("'" + source + "' holds no particles");
   vtkFieldData& fields = *points.GetFieldData();
   Frame frame;
-  frame.time = number_of(fields, "TimeValue", source);
-  frame.index = static_cast<int>(number_of(fields, "frame_index", source));
-  frame.step = static_cast<std::int64_t>(number_of(fields, "step", source));
-  frame.dimension = static_cast<int>(number_of(fields, "dimension", source));
+  frame.time = number_of(fields, "TimeValue").value_or(0.0);
+  frame.index = static_cast<int>(number_of(fields, "frame_index").value_or(0.0));
+  frame.step = static_cast<std::int64_t>(number_of(fields, "step").value_or(0.0));
+  frame.dimension = static_cast<int>(number_of(fields, "dimension").value_or(dimension_of(points)));
   read_texts(fields, frame);
   frame.positions = values_of(*points.GetPoints()->GetData());
   const auto units = units_of(fields);
@@ -170,10 +204,11 @@ Frame make_frame(vtkPointSet& points, const std::string& source) {
     if (array == nullptr || array->GetName() == nullptr) continue;
     const auto unit = units.find(array->GetName());
     frame.arrays.push_back({array->GetName(), unit == units.end() ? "" : unit->second, array->GetNumberOfComponents(),
-                            array->GetDataType() == VTK_INT, values_of(*array)});
-    if (frame.arrays.back().values.size() !=
-        frame.particle_count() * static_cast<std::size_t>(frame.arrays.back().components))
-      throw InputError("array '" + frame.arrays.back().name + "' of '" + source + "' is incomplete");
+                            is_whole(*array), values_of(*array)});
+    FrameArray& read = frame.arrays.back();
+    adopt_components(read);
+    if (read.values.size() != frame.particle_count() * static_cast<std::size_t>(read.components))
+      throw InputError("array '" + read.name + "' of '" + source + "' is incomplete");
   }
   return frame;
 }

@@ -7,6 +7,7 @@
 
 #include "anvil/output/frame.hpp"
 
+class vtkDataSet;
 class vtkPointSet;
 class vtkPolyData;
 class vtkUnstructuredGrid;
@@ -19,7 +20,12 @@ namespace anvil {
 vtkSmartPointer<vtkPolyData> make_poly_data(const Frame& frame, bool double_precision);
 vtkSmartPointer<vtkUnstructuredGrid> make_unstructured_grid(const Frame& frame, bool double_precision);
 
-/// The way back. `source` names the file in errors. Throws InputError when the points are not what Anvil writes.
+/// The arrays of a frame as point arrays, and its field data, for points or nodes that lie elsewhere.
+void add_arrays(const Frame& frame, bool double_precision, vtkDataSet& target);
+
+/// The way back, also from what other programs write: without TimeValue the time is 0, without dimension it follows
+/// from the extent of the points, vectors of two components and full tensors become Anvil's. `source` names the file in
+/// errors. Throws InputError when there are no points or an array is incomplete.
 Frame make_frame(vtkPointSet& points, const std::string& source);
 
 }  // namespace anvil

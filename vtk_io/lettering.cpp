@@ -12,12 +12,14 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
 #include <vtkProperty2D.h>
+#include <vtkRenderWindow.h>
 #include <vtkTextActor.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "anvil/figures/text_width.hpp"
 #include "anvil/figures/ticks.hpp"
 #include "vtk_io/font.hpp"
 
@@ -118,6 +120,31 @@ void add_color_bar(vtkRenderer* renderer, vtkLookupTable* colors, const std::str
   }
   renderer->AddActor2D(make_drawing(lines, nullptr));
   add_text(renderer, label, {0.5 * (left + right), top + 0.05}, height, VTK_TEXT_CENTERED);
+}
+
+void add_title(vtkRenderer* renderer, const std::string& text, const std::array<double, 2>& at, double width,
+               int height) {
+  const double room = width * renderer->GetRenderWindow()->GetSize()[0];
+  const double needed = text_width(text, height);
+  const int fitting = needed > room ? static_cast<int>(height * room / needed) : height;
+  add_text(renderer, text, at, std::max(6, fitting), VTK_TEXT_LEFT);
+}
+
+void add_legend(vtkRenderer* renderer, vtkLookupTable* colors, const std::vector<std::string>& names,
+                const std::array<double, 4>& part, int height) {
+  const int* size = renderer->GetRenderWindow()->GetSize();
+  const double square = static_cast<double>(height) / size[1];
+  const double width = static_cast<double>(height) / size[0];
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double top = part[3] - 1.6 * square * static_cast<double>(i);
+    if (top - square < part[1]) break;
+    vtkNew<vtkLookupTable> one;
+    one->SetNumberOfTableValues(1);
+    one->SetTableValue(0, colors->GetTableValue(static_cast<vtkIdType>(i)));
+    const double left = part[0] - 0.04;
+    renderer->AddActor2D(make_drawing(make_color_stack(one, {left, top - square, left + width, top}), one));
+    add_text(renderer, names[i], {left + 1.5 * width, top - 0.5 * square}, height, VTK_TEXT_LEFT);
+  }
 }
 
 std::string time_text(double seconds) {

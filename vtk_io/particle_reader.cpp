@@ -2,14 +2,13 @@
 #include "vtk_io/particle_reader.hpp"
 
 #include <vtkErrorCode.h>
+#include <vtkGenericDataObjectReader.h>
 #include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkUnstructuredGrid.h>
+#include <vtkPointSet.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <new>
 #include <string>
@@ -33,7 +32,20 @@ Frame read_with(const std::filesystem::path& file) {
   }
   if (reader->GetErrorCode() != vtkErrorCode::NoError || messages.has_errors())
     throw InputError("the particle file '" + file.string() + "' is damaged: run the scene again to write it anew");
-  return make_frame(*reader->GetOutput(), file.string());
+  vtkPointSet* points = vtkPointSet::SafeDownCast(reader->GetOutputDataObject(0));
+  if (points == nullptr) throw InputError("'" + file.string() + "' holds no points");
+  return make_frame(*points, file.string());
+}
+
+Frame read_points(const std::filesystem::path& file) {
+  const auto kind = file.extension();
+  if (kind == ".vtk") return read_with<vtkGenericDataObjectReader>(file);
+  if (kind != ".vtp" && kind != ".vtu")
+    throw InputError("'" + file.string() + "' is no particle file: expected a name ending in .vtp, .vtu or .vtk");
+  // VTK reads a file that lacks its end without complaint when the missing part lies behind the last array it wants.
+  if (!is_complete_vtk_file(file))
+    throw InputError("the particle file '" + file.string() + "' is truncated or not a VTK XML file");
+  return kind == ".vtp" ? read_with<vtkXMLPolyDataReader>(file) : read_with<vtkXMLUnstructuredGridReader>(file);
 }
 
 std::filesystem::path series_file_in(const std::filesystem::path& folder) {
@@ -60,15 +72,11 @@ bool is_complete_vtk_file(const std::filesystem::path& file) {
   return ending.find("</VTKFile>") != std::string::npos;
 }
 
-Frame read_frame(const std::filesystem::path& file) {
+Frame read_frame(const std::filesystem::path& file, const ArrayNames& names) {
   if (!std::filesystem::is_regular_file(file)) throw InputError("there is no particle file '" + file.string() + "'");
-  if (file.extension() != ".vtp" && file.extension() != ".vtu")
-    throw InputError("'" + file.string() + "' is no particle file: expected a name ending in .vtp or .vtu");
-  // VTK reads a file that lacks its end without complaint when the missing part lies behind the last array it wants.
-  if (!is_complete_vtk_file(file))
-    throw InputError("the particle file '" + file.string() + "' is truncated or not a VTK XML file");
-  return file.extension() == ".vtp" ? read_with<vtkXMLPolyDataReader>(file)
-                                    : read_with<vtkXMLUnstructuredGridReader>(file);
+  Frame frame = read_points(file);
+  rename_arrays(frame, names);
+  return frame;
 }
 
 std::vector<SeriesEntry> read_series(const std::filesystem::path& result) {
@@ -78,16 +86,6 @@ std::vector<SeriesEntry> read_series(const std::filesystem::path& result) {
   auto series = read_series_file(file);
   if (series.empty()) throw InputError("the series file '" + file.string() + "' lists no frames");
   return series;
-}
-
-int frame_index_of(const std::filesystem::path& file) {
-  const std::string stem = file.stem().string();
-  const auto underscore = stem.rfind('_');
-  if (underscore == std::string::npos) return -1;
-  int index = -1;
-  const char* end = stem.data() + stem.size();
-  const auto read = std::from_chars(stem.data() + underscore + 1, end, index);
-  return read.ec == std::errc() && read.ptr == end ? index : -1;
 }
 
 }  // namespace anvil

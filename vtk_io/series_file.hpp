@@ -4,13 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-namespace anvil {
+#include "anvil/output/frame.hpp"
 
-/// One frame of a series.
-struct SeriesEntry {
-  double time = 0.0;  // s
-  std::filesystem::path file;
-};
+namespace anvil {
 
 /// Reads a ParaView collection (.pvd); files come back relative to where the .pvd was opened from.
 /// Throws InputError when the file does not exist, is no complete XML document or lists an entry that makes no sense.

@@ -11,6 +11,7 @@
 #include <vtkOpenGLSphereMapper.h>
 #include <vtkOutlineSource.h>
 #include <vtkPlaneSource.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "anvil/core/error.hpp"
 #include "anvil/figures/ticks.hpp"
 #include "vtk_io/lettering.hpp"
 
@@ -68,6 +70,13 @@ vtkActor* add_sphere_actor(vtkRenderer* view, vtkPolyData* points, double radius
   return add_actor(view, mapper);
 }
 
+/// Nearer to the viewer of a flat scene than what it lies on.
+void lift(vtkActor* actor) {
+  double bounds[6];
+  actor->GetBounds(bounds);
+  actor->SetPosition(0.0, 0.0, 1e-3 * std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]));
+}
+
 Direction along(const Direction& begin, const Direction& axis, double distance) {
   return {begin[0] + distance * axis[0], begin[1] + distance * axis[1], begin[2] + distance * axis[2]};
 }
@@ -111,7 +120,21 @@ void add_outline(vtkRenderer* view, const vtkBoundingBox& box) {
   add_lines(view, outline->GetOutput(), 1.5F, grey);
 }
 
-void add_wall(vtkRenderer* view, const WallPlane& wall, const vtkBoundingBox& body) {
+void add_edges(vtkRenderer* view, vtkPolyData* lines, float width, double shade) {
+  if (lines == nullptr || lines->GetNumberOfPoints() == 0) return;
+  lines->GetPointData()->SetActiveScalars(nullptr);
+  lift(add_lines(view, lines, width, shade));
+}
+
+void add_flat_surface(vtkRenderer* view, vtkPolyData* surface, vtkLookupTable* colors) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface);
+  mapper->InterpolateScalarsBeforeMappingOn();
+  color_by_scalars(mapper, colors);
+  add_actor(view, mapper)->GetProperty()->LightingOff();
+}
+
+void add_wall(vtkRenderer* view, const Plane& wall, const vtkBoundingBox& body) {
   Direction normal = wall.normal;
   vtkMath::Normalize(normal.data());
   double center[3];
@@ -143,6 +166,58 @@ void add_wall(vtkRenderer* view, const WallPlane& wall, const vtkBoundingBox& bo
   property->EdgeVisibilityOn();
   property->SetLineWidth(1.5F);
   property->LightingOff();
+}
+
+void add_wall_line(vtkRenderer* view, const Plane& wall, const vtkBoundingBox& body) {
+  Direction normal{wall.normal[0], wall.normal[1], 0.0};
+  if (vtkMath::Normalize(normal.data()) == 0.0) return;
+  const Direction side{-normal[1], normal[0], 0.0};
+  double center[3];
+  body.GetCenter(center);
+  const double above =
+      normal[0] * (center[0] - metre * wall.point[0]) + normal[1] * (center[1] - metre * wall.point[1]);
+  const double half = 0.5 * (std::abs(side[0]) * body.GetLength(0) + std::abs(side[1]) * body.GetLength(1));
+  const double thickness = 0.02 * std::max(body.GetLength(0), body.GetLength(1));
+  const Direction middle = along({center[0], center[1], 0.0}, normal, -above);
+  const Direction begin = along(middle, side, -1.04 * half);
+  vtkNew<vtkPlaneSource> strip;
+  strip->SetOrigin(begin.data());
+  strip->SetPoint1(along(begin, side, 2.08 * half).data());
+  strip->SetPoint2(along(begin, normal, -thickness).data());
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(strip->GetOutputPort());
+  vtkProperty* property = add_actor(view, mapper)->GetProperty();
+  property->SetColor(0.72, 0.76, 0.80);
+  property->LightingOff();
+}
+
+void add_surroundings(vtkRenderer* view, const DrawnParticles& particles, const RenderOptions& options,
+                      const vtkBoundingBox& shown, int font_height) {
+  const Direction& direction = options.view_direction;
+  const double horizontal = std::hypot(direction[0], direction[1]);
+  if (!(horizontal > 1e-6 * std::abs(direction[2])))
+    throw InputError("the view direction must have a part along x or y, because z points up in the picture");
+  if (options.outline)
+    for (const auto& box : particles.undeformed) add_outline(view, box);
+  for (const Plane& wall : options.walls) add_wall(view, wall, shown);
+  // An upright scale to the left of the bodies, in the plane through their middle that faces the viewer.
+  double center[3];
+  shown.GetCenter(center);
+  const Direction left{direction[1] / horizontal, -direction[0] / horizontal, 0.0};
+  const double reach = 0.58 * (std::abs(left[0]) * shown.GetLength(0) + std::abs(left[1]) * shown.GetLength(1));
+  add_ruler(view, {center[0] + reach * left[0], center[1] + reach * left[1], shown.GetMinPoint()[2]}, {0.0, 0.0, 1.0},
+            left, shown.GetLength(2), font_height);
+  vtkBoundingBox all(view->ComputeVisiblePropBounds());
+  all.AddBox(shown);
+  aim_camera(view, all, direction, {0.0, 0.0, 1.0});
+}
+
+void add_axes(vtkRenderer* view, const vtkBoundingBox& box, int font_height) {
+  const double* low = box.GetMinPoint();
+  const double away = 0.03 * std::max(box.GetLength(0), box.GetLength(1));
+  add_ruler(view, {low[0], low[1] - away, 0.0}, {1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, box.GetLength(0), font_height);
+  if (box.GetLength(1) > 0.05 * box.GetLength(0))
+    add_ruler(view, {low[0] - away, low[1], 0.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, box.GetLength(1), font_height);
 }
 
 void add_ruler(vtkRenderer* view, const Direction& begin, const Direction& axis, const Direction& side, double length,

@@ -8,6 +8,7 @@
 
 #include <array>
 
+#include "vtk_io/drawn_particles.hpp"
 #include "vtk_io/render.hpp"
 
 namespace anvil {
@@ -25,8 +26,24 @@ void add_surface(vtkRenderer* view, vtkPolyData* surface, vtkLookupTable* colors
 /// The twelve edges of a box.
 void add_outline(vtkRenderer* view, const vtkBoundingBox& box);
 
+/// Lines as they are, in a shade from black (0) to white (1). Nothing for nullptr.
+void add_edges(vtkRenderer* view, vtkPolyData* lines, float width, double shade);
+
+/// Flat polygons in the colours of their points, without shading.
+void add_flat_surface(vtkRenderer* view, vtkPolyData* surface, vtkLookupTable* colors);
+
 /// A square piece of the wall under the middle of `body` (mm), as wide as it needs to be.
-void add_wall(vtkRenderer* view, const WallPlane& wall, const vtkBoundingBox& body);
+void add_wall(vtkRenderer* view, const Plane& wall, const vtkBoundingBox& body);
+
+/// The same in a flat scene: a line below or beside `body` and a strip of the wall behind it.
+void add_wall_line(vtkRenderer* view, const Plane& wall, const vtkBoundingBox& body);
+
+/// What stands around bodies in space: outline, walls and an upright scale; then turns the camera to all of it.
+void add_surroundings(vtkRenderer* view, const DrawnParticles& particles, const RenderOptions& options,
+                      const vtkBoundingBox& shown, int font_height);
+
+/// Scales in millimetres below and to the left of a flat `box`.
+void add_axes(vtkRenderer* view, const vtkBoundingBox& box, int font_height);
 
 /// A scale in millimetres from `begin` to `begin` + `length` along `axis` (unit vectors), its ticks and numbers towards
 /// `side`.

@@ -44,15 +44,17 @@ Judged compare_with_exact(const ResultFolder& folder) {
   const PlottedResult result = open_result(folder.path);
   if (result.times.empty()) throw InputError(fmt::format("the result in '{}' has no frames", folder.path.string()));
   std::vector<std::size_t> frames;
-  for (const double time : result.scene.compare.times) frames.push_back(frame_at(result, time));
+  if (!result.scene) throw InputError(fmt::format("the folder '{}' lacks its run.json", folder.path.string()));
+  const Scene& scene = *result.scene;
+  for (const double time : scene.compare.times) frames.push_back(frame_at(result.times, time, result.label));
   if (frames.empty()) frames = {result.times.size() - 1};
   std::sort(frames.begin(), frames.end());
   std::vector<double> times;
   for (const std::size_t frame : frames) times.push_back(result.times[frame]);
-  const SceneReference reference(result.scene, times, strain_measure_of(result.scene));
+  const SceneReference reference(scene, times, strain_measure_of(scene));
   Judged judged{reference.description(), {}};
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const auto quantities = compare_waves(result.frame(frames[i]), reference, i, result.scene.discretisation.spacing);
+    const auto quantities = compare_waves(result.frame(frames[i]), reference, i, scene.discretisation.spacing);
     judged.quantities.insert(judged.quantities.end(), quantities.begin(), quantities.end());
   }
   return judged;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/core.h>
 
-#include <charconv>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "command_line.hpp"
 #include "figure_file.hpp"
 #include "frames.hpp"
+#include "option_values.hpp"
 #include "plotted_result.hpp"
 
 namespace anvil {
@@ -25,6 +25,7 @@ Usage make_usage() {
   Usage usage{
       "anvil plot RESULT [--figure FIGURE | --field F | --history H | --map F] [-o FILE] [options]",
       "Draws profiles, histories and maps over time of a result off-screen, as PNG or SVG by the name of FILE.\n"
+      "RESULT is the folder of a result, its .pvd, or a single frame, of anvil or of another program.\n"
       "A figure description (docs/figures.md) says all of it; the other options make simple figures.",
       "RESULT"};
   auto add = usage.options.add_options();
@@ -37,31 +38,56 @@ Usage make_usage() {
   add("map", texts("F"), "field over position and time (x-t diagram); a panel for each");
   add("times", text("T,T,..."), "times of the profiles in s (default: the last frame)");
   add("exact", po::bool_switch(), "the exact solution below the profiles");
-  add("along", text("QUANTITY"), "what profiles are drawn along (default: initial_position.x)");
+  add("along", text("QUANTITY"),
+      "what profiles are drawn along, as position.z or radius (default: initial_position.x)");
+  add("where", text("CONDITION"), "only particles for which it holds, as \"abs(position.x) < 1e-3\"");
+  add("line", text("A:B"), "profiles between the particles on a line from x,y,z to x,y,z (m)");
+  add("reference", texts("FILE:X:Y"), "columns X and Y of a CSV file, in every panel of profiles; can be repeated");
+  add("log", text("AXES"), "logarithmic axes: x, y or xy");
   add("unit", text("UNIT"), "unit of the fields, such as GPa (default: by their size)");
   add("title", text("TEXT"), "first line of the figure (default: the title of the scene)");
   add("also", texts("RESULT"), "a further result in the same panels; can be repeated");
+  add("array", texts("ANVIL=FILE"),
+      "the array of another program's file that stands for one of Anvil's, as velocity=Vel; can be repeated");
   return usage;
-}
-
-std::vector<double> times_from(const po::variables_map& values) {
-  std::vector<double> times;
-  if (values.count("times") == 0) return times;
-  const auto& text = values["times"].as<std::string>();
-  const char* const end = text.data() + text.size();
-  for (const char* place = text.data();;) {
-    double time = 0.0;
-    const auto [next, error] = std::from_chars(place, end, time);
-    if (error != std::errc() || (next != end && *next != ','))
-      throw InputError(fmt::format("--times takes numbers with commas between them, found '{}'", text));
-    times.push_back(time);
-    if (next == end) return times;
-    place = next + 1;
-  }
 }
 
 std::string text_of(const po::variables_map& values, const std::string& option) {
   return values.count(option) == 0 ? "" : values[option].as<std::string>();
+}
+
+std::vector<double> times_from(const po::variables_map& values) {
+  return values.count("times") == 0 ? std::vector<double>{} : numbers_of("times", text_of(values, "times"), ',', 0);
+}
+
+std::vector<double> line_from(const po::variables_map& values) {
+  if (values.count("line") == 0) return {};
+  const auto [begin, end] = line_of("line", text_of(values, "line"));
+  return {begin[0], begin[1], begin[2], end[0], end[1], end[2]};
+}
+
+/// The file lies where the command is given, not beside a description.
+CurveDescription reference_from(const std::string& text) {
+  const auto last = text.rfind(':');
+  const auto first = last == std::string::npos || last == 0 ? last : text.rfind(':', last - 1);
+  if (first == std::string::npos || first == 0)
+    throw InputError(fmt::format("--reference takes FILE:X:Y, a CSV file and two of its columns, found '{}'", text));
+  CurveDescription curve;
+  curve.file = fs::absolute(text.substr(0, first)).string();
+  curve.x_column = text.substr(first + 1, last - first - 1);
+  curve.y_column = text.substr(last + 1);
+  curve.label = fs::path(curve.file).stem().string();
+  curve.style = "reference";
+  return curve;
+}
+
+void set_logarithmic(FigureDescription& figure, const std::string& axes) {
+  if (axes.find_first_not_of("xy") != std::string::npos)
+    throw InputError(fmt::format("--log takes x, y or xy, found '{}'", axes));
+  for (auto& panel : figure.panels) {
+    panel.x.logarithmic = axes.find('x') != std::string::npos;
+    panel.y.logarithmic = axes.find('y') != std::string::npos;
+  }
 }
 
 /// The figure that the options describe.
@@ -75,6 +101,9 @@ FigureDescription describe(const po::variables_map& values) {
     curve.field = field;
     curve.times = times_from(values);
     curve.exact = values["exact"].as<bool>();
+    curve.where = text_of(values, "where");
+    curve.line = line_from(values);
+    for (const auto& reference : repeated(values, "reference")) panel.curves.push_back(reference_from(reference));
   }
   const auto histories = repeated(values, "history");
   if (!histories.empty()) {
@@ -89,6 +118,7 @@ FigureDescription describe(const po::variables_map& values) {
     panel.map->field = field;
     panel.map->unit = text_of(values, "unit");
   }
+  set_logarithmic(figure, text_of(values, "log"));
   return figure;
 }
 
@@ -99,22 +129,22 @@ FigureDescription description_from(const po::variables_map& values, const Usage&
     throw InputError(
         fmt::format("say what to draw: either --figure, or --field, --history or --map; usage: {}", usage.synopsis));
   if (!described) return describe(values);
-  for (const char* option : {"times", "along", "unit"})
+  for (const char* option : {"times", "along", "unit", "where", "line", "reference", "log"})
     if (values.count(option) != 0)
       throw InputError(fmt::format("--{} does not go with --figure: the description says it", option));
   return read_figure_description(locate_figure(values["figure"].as<std::string>()));
 }
 
 std::vector<PlottedResult> results_from(const po::variables_map& values, const Usage& usage) {
-  std::vector<PlottedResult> results = {open_result(required(values, usage, "RESULT"))};
-  for (const auto& folder : repeated(values, "also")) results.push_back(open_result(folder));
+  const ArrayNames names = parse_array_names(repeated(values, "array"));
+  std::vector<PlottedResult> results = {open_result(required(values, usage, "RESULT"), names)};
+  for (const auto& folder : repeated(values, "also")) results.push_back(open_result(folder, names));
   return results;
 }
 
 /// plate.png beside the folder of the result.
 fs::path default_picture(const fs::path& result) {
-  const fs::path bare = result.has_filename() ? result : result.parent_path();
-  return bare.string() + (ANVIL_WITH_VTK ? ".png" : ".svg");
+  return bare_name(result).string() + (ANVIL_WITH_VTK ? ".png" : ".svg");
 }
 
 }  // namespace
@@ -127,7 +157,7 @@ int execute_plot(const Arguments& arguments) {
   FigureDescription description = description_from(*values, usage);
   const auto results = results_from(*values, usage);
   if (values->count("title") != 0) description.title = (*values)["title"].as<std::string>();
-  if (description.title.empty()) description.title = results.front().scene.title;
+  if (description.title.empty() && results.front().scene) description.title = results.front().scene->title;
   const Drawing drawing = lay_out(build_figure(description, results));
   auto files = repeated(*values, "output");
   if (files.empty()) files = {default_picture(folder).string()};

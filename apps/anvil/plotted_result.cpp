@@ -2,30 +2,33 @@
 #include "plotted_result.hpp"
 
 #include <memory>
+#include <utility>
 
-#include "anvil/output/provenance.hpp"
 #include "anvil/output/result_folder.hpp"
-#include "anvil/scene/reader.hpp"
 #include "frames.hpp"
 
 namespace anvil {
+namespace {
 
-PlottedResult open_result(const std::filesystem::path& path) {
-  const ResultFolder folder{path};
-  const Provenance run = read_provenance(folder.provenance());
-  const std::filesystem::path bare = path.has_filename() ? path : path.parent_path();
-  PlottedResult result{bare.filename().string(),
-                       read_scene_text(run.scene_text, run.scene_name),
-                       read_history(folder.history()),
-                       {},
-                       {}};
-  // Only a frame knows its time; those in one dimension are small.
-  const auto frames = std::make_shared<std::vector<Frame>>();
-  for (const auto& [number, file] : numbered_frames(folder.frames())) {
-    frames->push_back(read_any_frame(file));
-    result.times.push_back(frames->back().time);
-  }
-  result.frame = [frames](std::size_t i) { return frames->at(i); };
+/// A figure asks for the same frame once per panel.
+struct LastFrame {
+  std::size_t place = static_cast<std::size_t>(-1);
+  Frame frame;
+};
+
+}  // namespace
+
+PlottedResult open_result(const std::filesystem::path& path, const ArrayNames& names) {
+  const auto series = list_frames(path);
+  PlottedResult result{bare_name(path).filename().string(), recorded_scene(path), std::nullopt, {}, {}};
+  const ResultFolder folder{std::filesystem::is_directory(path) ? path : path.parent_path()};
+  if (std::error_code ignored; std::filesystem::exists(folder.history(), ignored))
+    result.history = read_history(folder.history());
+  for (const auto& entry : series) result.times.push_back(entry.time);
+  result.frame = [series, names, last = std::make_shared<LastFrame>()](std::size_t place) {
+    if (last->place != place) *last = {place, read_entry(series.at(place), names)};
+    return last->frame;
+  };
   return result;
 }
 

@@ -14,6 +14,7 @@ std::span<const Subcommand> subcommands() {
     Subcommand{"compare", "compare a result with the reference of its scene", execute_compare},
     Subcommand{"exact", "print the exact solution of a scene at a time", execute_exact},
     Subcommand{"plot", "draw profiles, histories and x-t diagrams of a result", execute_plot},
+    Subcommand{"sample", "values between the particles on a line or a plane", execute_sample},
     Subcommand{"study", "run a scene over many settings and tabulate what comes out", execute_study},
 #if ANVIL_WITH_VTK
     Subcommand{"render", "draw a frame of a result", execute_render},

@@ -21,12 +21,14 @@ struct AxisDescription {
 struct CurveDescription {
   std::string field;          // of particles: a name, a component, or an expression
   std::vector<double> times;  // s, of the frames; empty: the last one
+  std::string where;          // an expression: only particles for which it is not 0
+  std::vector<double> line;   // x, y, z of both ends, m: the field on that line, between the particles
   bool exact = false;         // with the exact solution of the scene below it
   std::string history;        // a column of history.csv, or an expression of columns
   std::string file;           // a CSV file, beside the description
   std::string x_column, y_column;
   std::string label;
-  std::string style = "line";  // line, points, reference
+  std::string style;  // line, points, reference; empty: points for scattered particles, else a line
 };
 
 /// A field over position and time, from all frames.

@@ -48,6 +48,8 @@ FigureKeys<CurveDescription> curve_keys() {
   return {{{.name = "field", .kind = ValueKind::text}, &CurveDescription::field},
           {{.name = "times", .kind = ValueKind::numbers, .unit = "s", .range = Range::not_negative},
            &CurveDescription::times},
+          {{.name = "where", .kind = ValueKind::text}, &CurveDescription::where},
+          {{.name = "line", .kind = ValueKind::numbers, .unit = "m"}, &CurveDescription::line},
           {{.name = "exact", .kind = ValueKind::flag}, &CurveDescription::exact},
           {{.name = "history", .kind = ValueKind::text}, &CurveDescription::history},
           {{.name = "file", .kind = ValueKind::text}, &CurveDescription::file},
@@ -123,9 +125,16 @@ class DescriptionReader {
     if (given != 1)
       context_.problems.add(context_.place_of(table),
                             fmt::format("'{}' must have exactly one of the keys field, history and file", path));
-    if (curve.field.empty() && (curve.exact || !curve.times.empty()))
+    if (curve.field.empty() && (curve.exact || !curve.times.empty() || !curve.where.empty() || !curve.line.empty()))
       context_.problems.add(context_.place_of(table),
-                            fmt::format("'{}' has no field, which the keys times and exact need", path));
+                            fmt::format("'{}' has no field, which the keys times, where, line and exact need", path));
+    if (!curve.line.empty() && curve.line.size() != 6)
+      context_.problems.add(context_.place_of(table),
+                            fmt::format("key '{}.line' must be six numbers, the x, y and z of both ends, found {}",
+                                        path, curve.line.size()));
+    if (!curve.line.empty() && (!curve.where.empty() || curve.exact))
+      context_.problems.add(context_.place_of(table),
+                            fmt::format("'{}' has a line, with which where and exact cannot go", path));
     if (!curve.file.empty() && (curve.x_column.empty() || curve.y_column.empty()))
       context_.problems.add(context_.place_of(table),
                             fmt::format("'{}' lacks x_column or y_column, the columns of its file", path));

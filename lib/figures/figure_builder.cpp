@@ -10,8 +10,10 @@
 #include "anvil/exact/scene_reference.hpp"
 #include "anvil/figures/color_scale.hpp"
 #include "anvil/figures/csv_columns.hpp"
-#include "anvil/figures/expression.hpp"
+#include "anvil/figures/profile.hpp"
 #include "anvil/figures/unit.hpp"
+#include "anvil/measures/expression.hpp"
+#include "anvil/measures/frame_fields.hpp"
 
 namespace anvil {
 namespace {
@@ -26,7 +28,9 @@ std::string name_of(const std::string& quantity) {
                                                        {"specific_energy", "Specific energy"},
                                                        {"density", "Density"},
                                                        {"pressure", "Pressure"},
-                                                       {"time", "Time"}};
+                                                       {"time", "Time"},
+                                                       {"distance", "Distance"},
+                                                       {"von_mises", "Von Mises stress"}};
   for (const auto& [field, name] : names)
     if (quantity == field) return name;
   std::string name = quantity;
@@ -109,6 +113,8 @@ class PanelBuilder {
 
   void add_profiles(const CurveDescription& curve) {
     std::vector<double> times = curve.times;
+    if (results_.front().times.empty())
+      throw InputError(fmt::format("the result '{}' has no frames", results_.front().label));
     if (times.empty()) times = {results_.front().times.back()};
     std::sort(times.begin(), times.end());
     for (const double time : times)
@@ -117,33 +123,22 @@ class PanelBuilder {
   }
 
   void add_profile(const CurveDescription& curve, const PlottedResult& result, double time, bool several) {
-    const Frame frame = result.frame(frame_at(result, time));
-    const auto fields = fields_of(frame);
-    Evaluated x = evaluate(along(), fields);
-    Evaluated y = evaluate(curve.field, fields);
-    settle(x_unit_, panel_.x.label, x.unit, along());
-    settle(y_unit_, panel_.y.label, y.unit, curve.field);
+    const Frame frame = result.frame(frame_at(result.times, time, result.label));
+    Profile profile = curve.line.empty() ? profile_of_particles(frame, along(), curve.field, curve.where)
+                                         : profile_on_line(frame, curve.field, curve.line);
+    settle(x_unit_, panel_.x.label, profile.x.unit, curve.line.empty() ? along() : "distance");
+    settle(y_unit_, panel_.y.label, profile.y.unit, curve.field);
     std::string label = curve.label;
     if (description_.curves.size() > 1 && label.empty()) label = name_of(curve.field);
     if (results_.size() > 1) append(label, result.label);
     if (several || label.empty()) append(label, time_label(frame.time));
-    add_sorted(label, curve.style, std::move(x.values), std::move(y.values));
+    PlottedCurve plotted = new_curve(label, curve.style.empty() && profile.scattered ? "points" : curve.style);
+    plotted.x = std::move(profile.x.values);
+    plotted.y = std::move(profile.y.values);
+    panel_.curves.push_back(std::move(plotted));
   }
 
   static void append(std::string& label, const std::string& part) { label += (label.empty() ? "" : ", ") + part; }
-
-  /// Particles lie in the order of their bodies, lines are drawn from left to right.
-  void add_sorted(const std::string& label, const std::string& style, std::vector<double> x, std::vector<double> y) {
-    std::vector<std::size_t> order(x.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return x[a] < x[b]; });
-    PlottedCurve plotted = new_curve(label, style);
-    for (const std::size_t i : order) {
-      plotted.x.push_back(x[i]);
-      plotted.y.push_back(y[i]);
-    }
-    panel_.curves.push_back(std::move(plotted));
-  }
 
   PlottedCurve new_curve(const std::string& label, const std::string& style) {
     PlottedCurve curve;
@@ -158,9 +153,12 @@ class PanelBuilder {
     if (along() != "initial_position.x")
       throw InputError("exact solutions are drawn along initial_position.x; leave x.quantity out");
     const auto member = exact_member(curve.field);
-    const Scene& scene = results_.front().scene;
+    if (!results_.front().scene)
+      throw InputError("an exact solution needs the scene of the result: the folder that anvil run left behind");
+    const Scene& scene = *results_.front().scene;
     std::vector<double> frame_times;  // exactly, not as the description rounds them
-    for (const double time : times) frame_times.push_back(results_.front().times[frame_at(results_.front(), time)]);
+    const PlottedResult& result = results_.front();
+    for (const double time : times) frame_times.push_back(result.times[frame_at(result.times, time, result.label)]);
     const SceneReference reference(scene, frame_times, strain_measure_of(scene));
     for (std::size_t i = 0; i < times.size(); ++i) {
       PlottedCurve plotted = new_curve(i == 0 && !has_exact_ ? short_name(reference.description()) : "", "reference");
@@ -180,7 +178,9 @@ class PanelBuilder {
 
   void add_histories(const CurveDescription& curve) {
     for (const auto& result : results_) {
-      const auto columns = columns_of(result.history);
+      if (!result.history)
+        throw InputError(fmt::format("'{}' has no history.csv: name the folder of a result", result.label));
+      const auto columns = columns_of(*result.history);
       Evaluated x = evaluate("time", columns);
       Evaluated y = evaluate(curve.history, columns);
       settle(x_unit_, panel_.x.label, x.unit, "time");
@@ -280,15 +280,14 @@ PlottedMap make_map(const std::vector<Row>& rows, const std::vector<double>& tim
 
 void PanelBuilder::add_map(const MapDescription& wanted) {
   const PlottedResult& result = results_.front();
-  if (result.scene.domain.dimension != 1) throw InputError("maps over time are drawn of scenes in one dimension");
   if (result.times.size() < 2) throw InputError("a map over time needs two frames or more");
   std::vector<Row> rows;
   std::string unit;
   for (std::size_t i = 0; i < result.times.size(); ++i) {
     const Frame frame = result.frame(i);
-    const auto fields = fields_of(frame);
-    const Evaluated x = evaluate(along(), fields);
-    const Evaluated field = evaluate(wanted.field, fields);
+    if (frame.dimension != 1) throw InputError("maps over time are drawn of scenes in one dimension");
+    const Evaluated x = field_of(frame, along());
+    const Evaluated field = field_of(frame, wanted.field);
     settle(x_unit_, panel_.x.label, x.unit, along());
     unit = field.unit;
     rows.push_back(sorted_row(x.values, field.values));
@@ -309,14 +308,14 @@ void PanelBuilder::add_map(const MapDescription& wanted) {
 
 }  // namespace
 
-std::size_t frame_at(const PlottedResult& result, double time) {
-  if (result.times.empty()) throw InputError(fmt::format("the result '{}' has no frames", result.label));
-  const std::size_t i = nearest(result.times, time);
+std::size_t frame_at(const std::vector<double>& times, double time, const std::string& result) {
+  if (times.empty()) throw InputError(fmt::format("the result '{}' has no frames", result));
+  const std::size_t i = nearest(times, time);
   constexpr double same_time = 1e-3;  // of the whole run: times in descriptions are typed with few digits
-  if (std::abs(result.times[i] - time) <= same_time * result.times.back()) return i;
+  if (std::abs(times[i] - time) <= same_time * times.back()) return i;
   throw InputError(
-      fmt::format("the result '{}' has no frame at {:.6g} s; the nearest is at {:.6g} s, the last at {:.6g} s",
-                  result.label, time, result.times[i], result.times.back()));
+      fmt::format("the result '{}' has no frame at {:.6g} s; the nearest is at {:.6g} s, the last at {:.6g} s", result,
+                  time, times[i], times.back()));
 }
 
 Figure build_figure(const FigureDescription& description, const std::vector<PlottedResult>& results) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,12 @@ struct Frame {
       if (array.name == name) return &array;
     return nullptr;
   }
+};
+
+/// A frame of a series that has not been read yet.
+struct SeriesEntry {
+  double time = 0.0;  // s
+  std::filesystem::path file;
 };
 
 /// Receives the frames of a run, first to last.

@@ -58,6 +58,8 @@ void Hdf5Series::write(const Frame& frame) {
   });
 }
 
+double read_hdf5_time(const fs::path& path) { return Hdf5File::open(path, format).read_double("time"); }
+
 Frame read_hdf5_frame(const fs::path& path) {
   const Hdf5File file = Hdf5File::open(path, format);
   Frame frame;

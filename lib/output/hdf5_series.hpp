@@ -25,4 +25,7 @@ class Hdf5Series : public FrameWriter {
 /// One file of such a series; throws InputError when it is damaged or something else.
 Frame read_hdf5_frame(const std::filesystem::path& path);
 
+/// The time of such a file (s), without reading its arrays; throws as read_hdf5_frame does.
+double read_hdf5_time(const std::filesystem::path& path);
+
 }  // namespace anvil

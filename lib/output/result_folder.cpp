@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <charconv>
-#include <optional>
 #include <system_error>
 #include <vector>
 
@@ -24,13 +23,6 @@ std::optional<std::int64_t> number_after(const std::string& stem, std::size_t pr
   const auto [stop, error] = std::from_chars(stem.data() + prefix, end, number);
   if (error != std::errc() || stop != end) return std::nullopt;
   return number;
-}
-
-std::optional<std::int64_t> frame_number(const fs::path& file) {
-  const std::string stem = file.stem().string();
-  const std::size_t underscore = stem.rfind('_');
-  if (stem.front() == '.' || underscore == std::string::npos) return std::nullopt;
-  return number_after(stem, underscore + 1);
 }
 
 std::optional<std::int64_t> checkpoint_number(const fs::path& file) {
@@ -86,6 +78,13 @@ fs::path ResultFolder::last_frame() const {
   const auto found = numbered_frames(frames());
   if (found.empty()) throw InputError(fmt::format("'{}' holds no frames: is it the result of a run?", path.string()));
   return found.rbegin()->second;
+}
+
+std::optional<std::int64_t> frame_number(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  const std::size_t underscore = stem.rfind('_');
+  if (stem.empty() || stem.front() == '.' || underscore == std::string::npos) return std::nullopt;
+  return number_after(stem, underscore + 1);
 }
 
 std::map<std::int64_t, fs::path> numbered_frames(const fs::path& folder) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace anvil {
@@ -28,6 +29,9 @@ ResultFolder start_result(const std::filesystem::path& path, const std::string& 
 /// Readies the folder of a checkpoint for going on from it: later checkpoints are removed, for the run makes them
 /// again; so does the writer of the frames with its own. Throws InputError when the folder is not that of the run.
 ResultFolder continue_result(const std::filesystem::path& checkpoint, std::int64_t step);
+
+/// The number that a frame carries in its file's name: 12 of rod_000012.vtp. Absent for other names.
+std::optional<std::int64_t> frame_number(const std::filesystem::path& file);
 
 /// The frames in a folder by their number: rod_000012.vtp is number 12. Empty when there is no such folder.
 std::map<std::int64_t, std::filesystem::path> numbered_frames(const std::filesystem::path& folder);

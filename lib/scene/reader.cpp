@@ -240,8 +240,10 @@ void fill_derived_defaults(Scene& scene) {
   }
   if (scene.discretisation.momentum_form.empty())
     scene.discretisation.momentum_form = scene.discretisation.method == "cspm" ? "difference" : "sum";
-  constexpr double frames = 20.0;
-  if (scene.output.interval == 0.0) scene.output.interval = scene.time.end / frames;
+  constexpr int usual_frames = 20;
+  const int frames = scene.output.frames > 0 ? scene.output.frames : usual_frames;
+  if (scene.output.interval == 0.0 || scene.output.frames > 0) scene.output.interval = scene.time.end / frames;
+  scene.output.frames = 0;
   if (scene.output.interval == 0.0)
     scene.output.interval = 1.0;  // nothing lies between the frames of a run that ends at 0
 }

@@ -130,10 +130,12 @@ struct BoundaryDescription {
 
 struct OutputControl {
   double interval;  // s, between frames
+  int frames;       // in place of interval; 0 once that has been derived from it
   std::string format;
   std::string precision;
   std::string compression;
   Texts fields;                // optional fields to add to the default ones
+  Texts omit;                  // default fields to leave out
   double checkpoint_interval;  // s of simulated time, 0: one checkpoint at the end
   bool operator==(const OutputControl&) const = default;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <string_view>
 
 #include "anvil/core/field_keys.hpp"
 #include "anvil/materials/strain_state.hpp"
@@ -19,6 +20,10 @@ std::vector<double> padded(VectorView<D> vectors, std::size_t particles) {
   for (std::size_t i = 0; i < particles; ++i)
     for (std::size_t a = 0; a < D; ++a) values[3 * i + a] = vectors.raw()[D * i + a];
   return values;
+}
+
+bool is_listed(const Texts& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 void write_six(const Tensor& tensor, double* out) { FullStrain::store(tensor, out); }
@@ -80,9 +85,22 @@ Frame Solver<D>::frame() const {
     plastic_strain.values = std::move(plastic_strains);
     frame.arrays.push_back(std::move(plastic_strain));
   }
+  const auto& omitted = scene_.output.omit;
+  std::erase_if(frame.arrays, [&](const FrameArray& array) { return is_listed(omitted, array.name); });
   const auto& wanted = scene_.output.fields;
-  if (std::find(wanted.begin(), wanted.end(), field::deviatoric_stress.name) != wanted.end())
-    frame.arrays.push_back(std::move(deviatoric));
+  if (is_listed(wanted, field::deviatoric_stress.name)) frame.arrays.push_back(std::move(deviatoric));
+  if (is_listed(wanted, field::mass.name)) {
+    FrameArray mass = array_of(field::mass, 1, particles);
+    std::copy(mass_.begin(), mass_.end(), mass.values.begin());
+    frame.arrays.push_back(std::move(mass));
+  }
+  for (const auto& field : fields_.fields()) {
+    if (field.key->name != field::back_stress.name || !is_listed(wanted, field.key->name)) continue;
+    FrameArray back_stress = array_of(field::back_stress, 6, particles);
+    for (std::size_t i = 0; i < particles; ++i)
+      write_six(StrainState::deviator(field.values.data() + StrainState::components * i), &back_stress.values[6 * i]);
+    frame.arrays.push_back(std::move(back_stress));
+  }
   return frame;
 }
 

@@ -27,7 +27,8 @@ def describe_series(series):
     arrays = {series.PointData.GetArray(i).GetName(): series.PointData.GetArray(i)
               for i in range(series.PointData.GetNumberOfArrays())}
     report["arrays"] = {name: array.GetNumberOfComponents() for name, array in arrays.items()}
-    report["stress_components"] = [arrays["stress"].GetComponentName(i) for i in range(6)]
+    if "stress" in arrays:
+        report["stress_components"] = [arrays["stress"].GetComponentName(i) for i in range(6)]
     return report
 
 
@@ -43,12 +44,27 @@ def describe_picture(view):
     width, height, _ = image.GetDimensions()
     pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[:, :, :3].astype(int)
     drawn = (abs(pixels - 255) > 8).any(axis=2)
-    red = (pixels[:, :, 0] > 100) & (pixels[:, :, 1] < 90) & (pixels[:, :, 2] < 90)
+    colored = pixels.max(axis=2) - pixels.min(axis=2) > 60
     if not drawn.any():
-        return {"drawn_share": 0.0, "red_share": 0.0, "drawn_box": [0, 0, 0, 0]}
+        return {"drawn_share": 0.0, "colored_share": 0.0, "drawn_box": [0, 0, 0, 0]}
     rows, columns = drawn.any(axis=1).nonzero()[0], drawn.any(axis=0).nonzero()[0]
     box = [columns[0] / width, rows[0] / height, columns[-1] / width, rows[-1] / height]
-    return {"drawn_share": float(drawn.mean()), "red_share": float(red.mean()), "drawn_box": [float(b) for b in box]}
+    return {"drawn_share": float(drawn.mean()), "colored_share": float(colored.mean()),
+            "drawn_box": [float(b) for b in box]}
+
+
+def describe_charts():
+    """What the chart views show: their titles, and how much of each picture is in colour (curves are)."""
+    charts = []
+    for view in GetViews():
+        if view.GetXMLName() == "XYChartView":
+            charts.append({"title": view.ChartTitle, **describe_picture(view)})
+    return charts
+
+
+def time_text():
+    annotation = FindSource("time")
+    return "" if annotation is None else annotation.Format
 
 
 def main():
@@ -62,8 +78,11 @@ def main():
         else:
             LoadState(paths[0], data_directory=paths[1])
             GetAnimationScene().GoToLast()
-        report = describe_picture(GetActiveViewOrCreate("RenderView"))
-        report.update(describe_series(FindSource("rod")))
+        view = next(v for v in GetViews() if v.GetXMLName() == "RenderView")
+        report = describe_picture(view)
+        report["charts"] = describe_charts()
+        report["time_text"] = time_text()
+        report.update(describe_series(FindSource("particles")))
     Path(report_path).write_text(json.dumps(report))
 
 

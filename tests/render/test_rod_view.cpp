@@ -2,16 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
 #include "anvil/core/error.hpp"
 #include "render/mushroom.hpp"
 #include "vtk_io/image_comparison.hpp"
-#include "vtk_io/particle_series.hpp"
 #include "vtk_io/render.hpp"
-#include "vtk_io/rod_view.hpp"
 
 namespace anvil {
 namespace {
@@ -24,7 +21,7 @@ RenderOptions baseline_options() {
   RenderOptions options;
   options.size = {640, 480};
   options.range = FieldRange{0.0, 4.0};
-  options.walls = {WallPlane{}};
+  options.walls = {Plane{}};
   return options;
 }
 
@@ -32,7 +29,7 @@ RenderOptions baseline_options() {
 fs::path draw(const std::string& name, const Frame& frame, const RenderOptions& options) {
   const fs::path png = fs::path("pictures") / (name + ".png");
   fs::create_directories(png.parent_path());
-  render_rod(frame, options, png);
+  render_frame(frame, options, png);
   return png;
 }
 
@@ -51,6 +48,12 @@ TEST(RodView, DiffersFromTheBaselineWithAnotherRangeOfColors) {
   RenderOptions options = baseline_options();
   options.range = FieldRange{0.0, 3.5};
   EXPECT_FALSE(same(compare_images(draw("range", test::make_mushroom(8), options), baseline)));
+}
+
+TEST(RodView, DiffersFromTheBaselineWithAnotherColorMap) {
+  RenderOptions options = baseline_options();
+  options.color_map = "earth";
+  EXPECT_FALSE(same(compare_images(draw("colors", test::make_mushroom(8), options), baseline)));
 }
 
 TEST(RodView, DiffersFromTheBaselineWithAnotherLabel) {
@@ -120,16 +123,16 @@ TEST(RodView, RefusesOptionsThatMakeNoSense) {
   const Frame frame = test::make_mushroom(2);
   RenderOptions options;
   options.field = "plastic_strian";
-  EXPECT_THROW(render_rod(frame, options, "never.png"), InputError);
+  EXPECT_THROW(render_frame(frame, options, "never.png"), InputError);
   options = {};
   options.range = FieldRange{2.0, 2.0};
-  EXPECT_THROW(render_rod(frame, options, "never.png"), InputError);
+  EXPECT_THROW(render_frame(frame, options, "never.png"), InputError);
   options = {};
   options.view_direction = {0.0, 0.0, 1.0};
-  EXPECT_THROW(render_rod(frame, options, "never.png"), InputError);
+  EXPECT_THROW(render_frame(frame, options, "never.png"), InputError);
   options = {};
   options.size = {100000, 10};
-  EXPECT_THROW(render_rod(frame, options, "never.png"), InputError);
+  EXPECT_THROW(render_frame(frame, options, "never.png"), InputError);
   EXPECT_FALSE(fs::exists("never.png"));
 }
 
@@ -145,7 +148,8 @@ TEST(RodView, SurvivesParticlesThatFlewOff) {
 }
 
 TEST(RodView, NamesThePictureThatCannotBeWritten) {
-  EXPECT_THROW(render_rod(test::make_mushroom(2), baseline_options(), "no/such/folder/rod.png"), MissingResourceError);
+  EXPECT_THROW(render_frame(test::make_mushroom(2), baseline_options(), "no/such/folder/rod.png"),
+               MissingResourceError);
 }
 
 Frame make_disc() {
@@ -163,36 +167,97 @@ Frame make_disc() {
   return frame;
 }
 
-TEST(FlatView, DrawsTwoDimensions) {
+TEST(ParticlesView, DrawsTwoDimensions) {
   RenderOptions options;
   options.size = {640, 480};
-  fs::create_directories("pictures");
-  render_flat(make_disc(), options, "pictures/disc.png");
-  const auto content = measure_content("pictures/disc.png");
+  const auto content = measure_content(draw("disc", make_disc(), options));
   // A disc in the left five sixths of the picture: about pi/4 of the square of its height.
   EXPECT_GT(content.share, 0.3);
   EXPECT_LT(content.share, 0.6);
 }
 
-TEST(RenderResult, DrawsTheFrameAskedFor) {
-  std::string pattern = (fs::temp_directory_path() / "anvil_render_XXXXXX").string();
-  ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-  const fs::path folder = pattern;
-  ParticleSeriesWriter writer(folder, "mushroom", {});
-  for (int i = 0; i < 3; ++i) writer.write(test::make_mushroom(4, 0.5 * i, i));
+TEST(ParticlesView, ColorsByBodyWithTheirNames) {
+  Frame frame = make_disc();
+  FrameArray body{"body", "", 1, true, {}};
+  for (std::size_t i = 0; i < frame.particle_count(); ++i) body.values.push_back(frame.positions[3 * i] > 0.0 ? 1 : 0);
+  frame.arrays.push_back(body);
+  RenderOptions options;
+  options.size = {640, 480};
+  const auto by_pressure = draw("by_pressure", frame, options);
+  options.field = "body";
+  const auto by_number = draw("by_number", frame, options);
+  options.body_names = {"flyer", "target"};
+  const auto by_name = draw("by_name", frame, options);
+  EXPECT_FALSE(compare_images(by_pressure, by_number).same());
+  EXPECT_FALSE(compare_images(by_number, by_name).same());
+}
 
+TEST(ParticlesView, DrawsLargerParticlesLarger) {
+  RenderOptions options;
+  options.size = {640, 480};
+  options.glyph_radius = 0.2;
+  const double small = measure_content(draw("small", make_disc(), options)).share;
+  options.glyph_radius = 0.5;
+  EXPECT_GT(measure_content(draw("large", make_disc(), options)).share, 2.0 * small);
+  options.glyph_radius = -1.0;
+  EXPECT_THROW(draw("never", make_disc(), options), InputError);
+}
+
+TEST(ParticlesView, DrawsSpheresInThreeDimensions) {
   RenderOptions options = baseline_options();
-  render_result(folder, options, folder / "last.png");
-  options.frame = 2;
-  render_result(folder, options, folder / "second.png");
-  options.frame = 0;
-  render_result(folder / "mushroom.pvd", options, folder / "first.png");
-  EXPECT_EQ(compare_images(folder / "last.png", folder / "second.png").mean_difference, 0.0);
-  EXPECT_FALSE(compare_images(folder / "last.png", folder / "first.png").same());
-  options.frame = 3;
-  EXPECT_THROW(render_result(folder, options, folder / "never.png"), InputError);
-  EXPECT_THROW(render_result(folder / "nowhere", options, folder / "never.png"), InputError);
-  fs::remove_all(folder);
+  options.view = View::particles;
+  const auto content = measure_content(draw("particles", test::make_mushroom(8), options));
+  EXPECT_GT(content.share, 0.08);
+  EXPECT_LT(content.share, 0.45);
+}
+
+TEST(SectionView, ShowsTheInsideWhereverThePlaneIs) {
+  RenderOptions options = baseline_options();
+  options.view = View::section;
+  const auto middle = draw("section", test::make_mushroom(8), options);
+  const auto content = measure_content(middle);
+  EXPECT_GT(content.share, 0.12);
+  EXPECT_LT(content.share, 0.6);
+  options.section = Plane{{0.0, 0.0, 4e-3}, {0.0, 0.0, 1.0}};
+  EXPECT_FALSE(compare_images(middle, draw("section_z", test::make_mushroom(8), options)).same());
+  options.section = Plane{{0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}};
+  EXPECT_THROW(draw("never", test::make_mushroom(8), options), InputError);
+}
+
+TEST(SectionView, ShowsTheWholeOfAFlatScene) {
+  RenderOptions options;
+  options.size = {640, 480};
+  options.view = View::section;
+  const auto content = measure_content(draw("flat_section", make_disc(), options));
+  EXPECT_GT(content.share, 0.3);
+  EXPECT_LT(content.share, 0.6);
+}
+
+TEST(RenderFrame, KeepsColorsAndCameraOverASeries) {
+  RenderOptions options = baseline_options();
+  options.range.reset();
+  options.outline = false;
+  const Frame first = test::make_mushroom(6, 0.5, 0);
+  const Frame last = test::make_mushroom(6, 1.0, 1);
+  SeriesExtent extent;
+  for (const Frame& frame : {first, last}) include_frame(extent, frame, options);
+  ASSERT_TRUE(extent.values && extent.bounds);
+  EXPECT_NEAR(extent.values->high, 3.4, 0.3);       // of the last frame: its foot has 3.5 at z = 0
+  EXPECT_NEAR((*extent.bounds)[5], 26.5e-3, 1e-3);  // of the first: it is still long
+  options.series = extent;
+  // The height scale of a series is that of its longest frame in every picture.
+  const auto with_series = draw("series_last", last, options);
+  options.series.reset();
+  EXPECT_FALSE(compare_images(with_series, draw("alone_last", last, options)).same());
+}
+
+TEST(RenderFrame, DrawsOnlyWhatSuitsTheFrame) {
+  RenderOptions options;
+  options.view = View::rod;
+  EXPECT_THROW(draw("never", make_disc(), options), InputError);
+  options.view = View::particles;
+  options.color_map = "rainbow";
+  EXPECT_THROW(draw("never", make_disc(), options), InputError);
 }
 
 }  // namespace

@@ -308,6 +308,94 @@ class ExactAndPlot(CommandLine):
         self.expect_error(self.anvil("plot", self.result, "--figure", "plate_perfekt"), 1, "plate_perfect")
 
 
+    def test_figures_of_single_frames_and_their_parts(self):
+        self.run_scene()
+        frame = sorted((self.result / "frames").iterdir())[-1]
+        figure = self.folder / "figure.svg"
+        reference = self.folder / "reference.csv"
+        reference.write_text("place [mm],stress [MPa]\n0,-1\n20,0\n")
+        self.expect(self.anvil("plot", frame, "--field", "stress.xx", "--where", "position.x < 10e-3",
+                               "--reference", f"{reference}:place:stress", "-o", figure), 0)
+        self.assertEqual(figure.read_text().count("<polyline clip-path="), 2)
+        self.expect(self.anvil("plot", self.result, "--field", "density", "--line", "0,0,0:0.02,0,0", "-o", figure), 0)
+        self.assertIn("Distance [mm]", figure.read_text())
+        self.expect(self.anvil("plot", self.result, "--history", "step", "--log", "y", "-o", figure), 0)
+        self.assertIn("10²", figure.read_text())
+        self.expect_error(self.anvil("plot", frame, "--history", "step"), 1, "has no history.csv")
+        self.expect_error(self.anvil("plot", frame, "--field", "density", "--where", "position.x < -1"), 1, "no particle")
+        self.expect_error(self.anvil("plot", frame, "--field", "density", "--line", "1,0,0:2,0,0"), 1, "no particles")
+        self.expect_error(self.anvil("plot", frame, "--field", "density", "--line", "1,0,0"), 1, "two points")
+        self.expect_error(self.anvil("plot", frame, "--field", "density", "--reference", "a.csv"), 1, "FILE:X:Y")
+        self.expect_error(self.anvil("plot", frame, "--field", "density", "--log", "z"), 1, "x, y or xy")
+        self.expect_error(self.anvil("plot", self.folder / "nowhere", "--field", "density"), 1, "no result")
+
+
+class Sampling(CommandLine):
+    def table(self, path):
+        comment, header, *rows = path.read_text().splitlines()
+        self.assertTrue(comment.startswith("# bar, t = "))
+        return header.split(","), [[float(cell) for cell in row.split(",")] for row in rows]
+
+    def test_a_line_as_csv(self):
+        self.run_scene()
+        table = self.folder / "line.csv"
+        self.expect(self.anvil("sample", self.result, "--line", "0.001,0,0:0.019,0,0", "--points", "19", "--order", "1",
+                               "--time", "0", "--field", "initial_position", "--field", "velocity.x*2", "-o", table),
+                    0, "line.csv")
+        header, rows = self.table(table)
+        self.assertEqual(header, ["distance [m]", "x [m]", "y [m]", "z [m]", "initial_position.x [m]",
+                                  "initial_position.y [m]", "initial_position.z [m]", "velocity.x*2", "filling"])
+        self.assertEqual(len(rows), 19)
+        for i, row in enumerate(rows):
+            # At time 0 the initial position is the position, a linear field, and the velocity is constant.
+            self.assertAlmostEqual(row[0], 1e-3 * i, delta=1e-15)
+            self.assertAlmostEqual(row[4], row[1], delta=1e-15)
+            self.assertAlmostEqual(row[7], -20.0, delta=1e-12)
+            self.assertAlmostEqual(row[8], 1.0, delta=0.02)
+
+    def test_outside_of_the_bodies_there_is_no_value(self):
+        self.run_scene()
+        table = self.folder / "line.csv"
+        self.anvil("sample", self.result, "--line", "0.01,0,0:0.03,0,0", "--points", "3", "--field", "density", "-o", table)
+        _, rows = self.table(table)
+        self.assertAlmostEqual(rows[0][4], 7890.0, delta=100.0)
+        self.assertNotEqual(rows[2][4], rows[2][4])
+
+    def test_mistakes_about_samples(self):
+        self.run_scene()
+        self.expect_error(self.anvil("sample", self.result), 1, "--line A:B or --plane")
+        self.expect_error(self.anvil("sample", self.result, "--line", "0,0,0"), 1, "two points")
+        self.expect_error(self.anvil("sample", self.result, "--line", "0,0,0:0,0,0"), 1, "same point")
+        self.expect_error(self.anvil("sample", self.result, "--line", "1,0,0:2,0,0"), 1, "none of the points")
+        self.expect_error(self.anvil("sample", self.result, "--plane", "w=1"), 1, "z=0.01")
+        line = ("--line", "0,0,0:0.02,0,0")
+        self.expect_error(self.anvil("sample", self.result, *line, "--field", "velocty"), 1, "'velocity'")
+        self.expect_error(self.anvil("sample", self.result, *line, "--order", "2"), 1, "0 or 1")
+        self.expect_error(self.anvil("sample", self.result, *line, "--points", "1"), 1, "2 to")
+        self.expect_error(self.anvil("sample", self.result, *line, "--smoothing-length", "-1"), 1, "above 0")
+        self.expect_error(self.anvil("sample", self.result, *line, "--frame", "99"), 1, "0 to 4")
+        self.expect_error(self.anvil("sample", self.result, *line, "--array", "density"), 1, "ANVIL=FILE")
+        self.expect_error(self.anvil("sample", self.result, *line, "--array", "density=rho"), 1, "no array 'rho'")
+        self.expect_error(self.anvil("sample", self.result, *line, "-o", "a.txt"), 1, "a.txt")
+
+
+class Fields(CommandLine):
+    def arrays(self, *settings):
+        self.expect(self.run_scene("--overwrite", *[part for one in settings for part in ("--set", one)]), 0)
+        frames = sorted((self.result / "frames").iterdir())
+        text = self.anvil("info", frames[-1]).stdout
+        return len(frames), {line.split()[1] for line in text.splitlines() if line.startswith("array")}
+
+    def test_number_of_frames_and_choice_of_fields(self):
+        frames, usual = self.arrays()
+        self.assertEqual(frames, 5)
+        self.assertLessEqual({"particle_id", "body", "velocity", "stress", "smoothing_length"}, usual)
+        frames, chosen = self.arrays("output.frames=8", 'output.omit=["stress", "smoothing_length"]',
+                                     'output.fields=["mass", "deviatoric_stress"]')
+        self.assertEqual(frames, 9)
+        self.assertEqual(chosen, usual - {"stress", "smoothing_length"} | {"mass", "deviatoric_stress"})
+
+
 class Signals(CommandLine):
     def test_interrupt_writes_a_checkpoint_that_goes_on(self):
         for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):

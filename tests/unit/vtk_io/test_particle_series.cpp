@@ -10,6 +10,7 @@
 
 #include "anvil/core/error.hpp"
 #include "anvil/output/atomic_file.hpp"
+#include "anvil/output/result_folder.hpp"
 #include "render/mushroom.hpp"
 #include "vtk_io/particle_reader.hpp"
 #include "vtk_io/particle_series.hpp"
@@ -81,7 +82,7 @@ TEST_F(ParticleSeries, ListsEveryFrameWithItsExactTime) {
   for (int i = 0; i < 5; ++i) {
     const auto& entry = series[static_cast<std::size_t>(i)];
     EXPECT_EQ(entry.time, test::make_mushroom(2, 0.1 * i, i).time);
-    EXPECT_EQ(frame_index_of(entry.file), i);
+    EXPECT_EQ(frame_number(entry.file), i);
     EXPECT_EQ(read_frame(entry.file).time, entry.time);
   }
 }
@@ -91,7 +92,7 @@ TEST_F(ParticleSeries, ContinuesAfterARestart) {
   write_frames(3, 5);  // goes back to frame 3, and is killed before it reaches frame 5
   const auto series = read_series(folder_);
   ASSERT_EQ(series.size(), 5U);
-  for (int i = 0; i < 5; ++i) EXPECT_EQ(frame_index_of(series[static_cast<std::size_t>(i)].file), i);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(frame_number(series[static_cast<std::size_t>(i)].file), i);
   EXPECT_FALSE(fs::exists(folder_ / "frames" / "mushroom_000005.vtp"));
 }
 

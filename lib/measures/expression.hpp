@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "anvil/output/frame.hpp"
 #include "anvil/output/history.hpp"
 
 namespace anvil {
@@ -19,9 +18,7 @@ struct NamedValues {
   std::size_t count;
 };
 
-/// The components of a frame's arrays and its positions: "pressure", "velocity.x", "stress.xx", "position.z". They
-/// point into the frame.
-std::vector<NamedValues> fields_of(const Frame& frame);
+/// The columns of a history by their names; they point into it.
 std::vector<NamedValues> columns_of(const History& history);
 
 /// The result of an expression, and its SI unit as far as it is plain: that of the names in a sum, else "".
@@ -29,6 +26,9 @@ struct Evaluated {
   std::vector<double> values;
   std::string unit;
 };
+
+/// The names in an expression, each once. Throws InputError when it cannot be read.
+std::vector<std::string> used_names(const std::string& expression);
 
 /// Value by value: names, numbers, + - * / ^, parentheses and functions such as abs, sqrt, max, log10 (muParser).
 /// Throws InputError, with the nearest known name where a name is unknown.

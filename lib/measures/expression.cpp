@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "anvil/figures/expression.hpp"
+#include "anvil/measures/expression.hpp"
 
 #include <fmt/core.h>
 #include <muParser.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include "anvil/core/error.hpp"
@@ -13,19 +12,6 @@
 
 namespace anvil {
 namespace {
-
-void add_components(const std::string& name, const std::string& unit, int components, const std::vector<double>& values,
-                    std::vector<NamedValues>& names) {
-  constexpr std::array<std::string_view, 3> axes = {"x", "y", "z"};
-  constexpr std::array<std::string_view, 6> pairs = {"xx", "yy", "zz", "xy", "yz", "xz"};
-  const auto stride = static_cast<std::size_t>(components);
-  for (std::size_t c = 0; c < stride; ++c) {
-    std::string full = name;
-    if (components == 3) full = fmt::format("{}.{}", name, axes[c]);
-    if (components == 6) full = fmt::format("{}.{}", name, pairs[c]);
-    names.push_back({full, unit, values.data() + c, stride, values.size() / stride});
-  }
-}
 
 /// The variables of a parser, filled value by value.
 struct Variable {
@@ -46,14 +32,18 @@ bool keeps_unit(const std::string& expression) {
   throw InputError(fmt::format("there is nothing called '{}' to draw{}", name, suggestion(name, known)));
 }
 
-}  // namespace
-
-std::vector<NamedValues> fields_of(const Frame& frame) {
-  std::vector<NamedValues> names;
-  add_components("position", "m", 3, frame.positions, names);
-  for (const auto& array : frame.arrays) add_components(array.name, array.unit, array.components, array.values, names);
-  return names;
+[[noreturn]] void refuse_expression(const std::string& expression, const mu::Parser::exception_type& error) {
+  throw InputError(fmt::format("cannot compute '{}': {}", expression, error.GetMsg()));
 }
+
+mu::Parser make_parser(const std::string& expression) {
+  mu::Parser parser;
+  parser.DefineNameChars("0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+  parser.SetExpr(expression);
+  return parser;
+}
+
+}  // namespace
 
 std::vector<NamedValues> columns_of(const History& history) {
   std::vector<NamedValues> names;
@@ -62,11 +52,19 @@ std::vector<NamedValues> columns_of(const History& history) {
   return names;
 }
 
+std::vector<std::string> used_names(const std::string& expression) {
+  try {
+    std::vector<std::string> names;
+    for (const auto& used : make_parser(expression).GetUsedVar()) names.push_back(used.first);
+    return names;
+  } catch (const mu::Parser::exception_type& error) {
+    refuse_expression(expression, error);
+  }
+}
+
 Evaluated evaluate(const std::string& expression, std::span<const NamedValues> names) {
   try {
-    mu::Parser parser;
-    parser.DefineNameChars("0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
-    parser.SetExpr(expression);
+    mu::Parser parser = make_parser(expression);
     std::vector<Variable> variables;
     for (const auto& used : parser.GetUsedVar()) {
       const std::string& name = used.first;
@@ -82,13 +80,14 @@ Evaluated evaluate(const std::string& expression, std::span<const NamedValues> n
       if (variable.source->unit != result.unit) result.unit.clear();
       count = variable.source->count;
     }
+    result.values.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
       for (auto& variable : variables) variable.value = variable.source->first[i * variable.source->stride];
       result.values.push_back(parser.Eval());
     }
     return result;
   } catch (const mu::Parser::exception_type& error) {
-    throw InputError(fmt::format("cannot compute '{}': {}", expression, error.GetMsg()));
+    refuse_expression(expression, error);
   }
 }
 

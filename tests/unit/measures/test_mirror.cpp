@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "anvil/measures/mirror.hpp"
+
+#include <gtest/gtest.h>
+
+#include "anvil/measures/frame_fields.hpp"
+
+namespace anvil {
+namespace {
+
+/// One particle with an array of each kind.
+Frame make_particle() {
+  Frame frame;
+  frame.positions = {1.0, 2.0, 3.0};
+  frame.arrays = {{"initial_position", "m", 3, false, {1.5, 2.0, 3.0}},
+                  {"velocity", "m/s", 3, false, {10.0, 20.0, 30.0}},
+                  {"stress", "Pa", 6, false, {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}},
+                  {"density", "kg/m3", 1, false, {8930.0}},
+                  {"body", "", 1, true, {2.0}}};
+  return frame;
+}
+
+std::vector<double> image(const Frame& both, const std::string& name) {
+  const auto& values = name == "position" ? both.positions : both.find(name)->values;
+  return {values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end()};
+}
+
+TEST(Mirror, TurnsPointsVectorsAndTensors) {
+  const Frame both = with_mirror_image(make_particle(), {{0.5, 0.0, 0.0}, {-2.0, 0.0, 0.0}});
+  EXPECT_EQ(both.particle_count(), 2U);
+  EXPECT_EQ(image(both, "position"), (std::vector<double>{0.0, 2.0, 3.0}));
+  EXPECT_EQ(image(both, "initial_position"), (std::vector<double>{-0.5, 2.0, 3.0}));
+  EXPECT_EQ(image(both, "velocity"), (std::vector<double>{-10.0, 20.0, 30.0}));
+  EXPECT_EQ(image(both, "stress"), (std::vector<double>{1.0, 2.0, 3.0, -4.0, 5.0, -6.0}));
+  EXPECT_EQ(image(both, "density"), (std::vector<double>{8930.0}));
+  EXPECT_EQ(image(both, "body"), (std::vector<double>{2.0}));
+}
+
+TEST(Mirror, KeepsInvariantsInAnyPlane) {
+  const Frame both = with_mirror_image(make_particle(), {{0.1, 0.2, 0.3}, {1.0, 2.0, -0.5}});
+  for (const std::string name : {"velocity", "stress.von_mises", "stress.mean", "stress.principal_1"}) {
+    const auto values = field_of(both, name).values;
+    EXPECT_NEAR(values[1], values[0], 1e-12 * std::abs(values[0])) << name;
+  }
+  // Mirrored back it is where it was.
+  const Frame four = with_mirror_image(both, {{0.1, 0.2, 0.3}, {1.0, 2.0, -0.5}});
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(four.positions[9 + i], four.positions[i], 1e-14);
+}
+
+}  // namespace
+}  // namespace anvil

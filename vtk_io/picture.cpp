@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtk_io/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "anvil/core/error.hpp"
+#include "vtk_io/color_map.hpp"
+#include "vtk_io/field_selection.hpp"
+#include "vtk_io/lettering.hpp"
+#include "vtk_io/off_screen.hpp"
+
+namespace anvil {
+namespace {
+
+constexpr double title_line = 0.955;  // of the height of the picture
+constexpr std::array<double, 4> color_bar{0.90, 0.22, 0.92, 0.70};
+
+std::string title_of(const Frame& frame, const RenderOptions& options) {
+  if (!options.title.empty()) return options.title;
+  for (const auto& [name, text] : frame.provenance)
+    if (name == "title") return text;
+  return frame.scene;
+}
+
+/// A colour and a name for each body.
+void add_bodies(Picture& picture, const RenderOptions& options, const SelectedField& field) {
+  constexpr double most_bodies = 1000.0;  // more would be no names but numbers
+  double last = 0.0;
+  for (const double body : field.values) last = std::max(last, body);
+  if (last > most_bodies) throw InputError("the field 'body' numbers more bodies than can have a colour each");
+  const int count = 1 + static_cast<int>(last);
+  picture.colors = make_categories(count);
+  std::vector<std::string> names;
+  for (int i = 0; i < count; ++i) {
+    const auto known = static_cast<std::size_t>(i) < options.body_names.size();
+    names.push_back(known ? options.body_names[static_cast<std::size_t>(i)] : fmt::format("body {}", i));
+  }
+  add_legend(background_of(picture.window), picture.colors, names, color_bar, picture.font_height);
+}
+
+}  // namespace
+
+Picture make_picture(const Frame& frame, const RenderOptions& options) {
+  const SelectedField field = select_field(frame, options.field);
+  Picture picture;
+  // 26 pixels in a picture of 1200; never too small to read.
+  picture.font_height = std::max(9, options.size[1] * 26 / 1200);
+  picture.window = make_window(options.size, options.background);
+  vtkRenderer* canvas = background_of(picture.window);
+  if (options.field == "body") {
+    add_bodies(picture, options, field);
+  } else {
+    const auto extremes = options.series && options.series->values ? options.series->values : extremes_of(field);
+    picture.colors = make_color_map(options.color_map, range_of(field, options.range, extremes));
+    add_color_bar(canvas, picture.colors, field.label, color_bar, picture.font_height);
+  }
+  picture.particles = make_drawn_particles(frame, field.values);
+  picture.shown = box_of(picture.particles);
+  for (const auto& box : picture.particles.undeformed) picture.shown.AddBox(box);
+  if (options.series && options.series->bounds) picture.shown.AddBox(drawn_box(*options.series->bounds));
+  const int title_height = picture.font_height * 6 / 5;
+  add_title(canvas, title_of(frame, options), {0.03, title_line}, 0.78, title_height);
+  add_text(canvas, "t = " + time_text(frame.time), {0.97, title_line}, title_height, VTK_TEXT_RIGHT);
+  return picture;
+}
+
+vtkBoundingBox box_of(const DrawnParticles& particles) {
+  vtkBoundingBox box(particles.points->GetBounds());
+  box.Inflate(particles.spacing / 2);
+  return box;
+}
+
+}  // namespace anvil
