@@ -5,6 +5,7 @@
 #include "anvil/pairs/correction_loop.hpp"
 #include "anvil/pairs/gradient_loop.hpp"
 #include "anvil/pairs/pair_loops.hpp"
+#include "anvil/terms/hllc_loop.hpp"
 #include "anvil/terms/laminar_viscosity_loop.hpp"
 #include "anvil/terms/momentum_loop.hpp"
 #include "anvil/terms/smoothing_loop.hpp"
@@ -33,6 +34,7 @@ constexpr PairLoops<D> table() {
           .stress_difference = &sum_momentum<D, true>,
           .viscosity = &sum_viscosity<D>,
           .laminar_viscosity = &sum_laminar_viscosity<D>,
+          .hllc = &sum_hllc<D>,
           .plain_smoothing = &sum_plain_smoothing<D>,
           .pairwise_smoothing = &sum_pairwise_smoothing<D>};
 }

@@ -43,6 +43,7 @@ struct PairLoops {
   void (*viscosity)(const PairTile<D>&, const PairRecords<D>&, const ViscosityCoefficients&, double* acceleration,
                     double* heating);
   void (*laminar_viscosity)(const PairTile<D>&, const PairRecords<D>&, double* acceleration, double* heating);
+  void (*hllc)(const PairTile<D>&, const PairRecords<D>&, const HllcChoices&, const HllcSums&);
   void (*plain_smoothing)(const PairTile<D>&, const PairRecords<D>&, double* change);
   void (*pairwise_smoothing)(const PairTile<D>&, const PairRecords<D>&, double* change);
 };

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "anvil/core/error.hpp"
+#include "anvil/scene/concentric.hpp"
 
 namespace anvil {
 
@@ -28,6 +29,8 @@ std::array<long long, D> count_cells(const Shape<D>& shape, double spacing) {
 
 template <int D>
 PlacedBody<D> place_body(const BodyDescription& body, double spacing) {
+  if constexpr (D == 2)
+    if (body.lattice == "concentric") return place_concentric(body, spacing);
   const auto shape = make_shape<D>(body.shape);
   const auto cells = count_cells<D>(*shape, spacing);
   const Vec<D> centre = shape->centre();
@@ -38,7 +41,7 @@ PlacedBody<D> place_body(const BodyDescription& body, double spacing) {
     // Measured from the middle in half spacings, so that mirrored cells have offsets of the same magnitude, bit by bit.
     for (std::size_t axis = 0; axis < D; ++axis)
       offset[static_cast<int>(axis)] = 0.5 * spacing * static_cast<double>(2 * index[axis] + 1 - cells[axis]);
-    if (shape->contains(offset)) placed.positions.push_back(centre + offset);
+    if (shape->contains(offset)) placed.positions.push_back(centre + shape->turned(offset));
     more = false;
     for (std::size_t axis = D; axis-- > 0 && !more;) {
       more = ++index[axis] < cells[axis];

@@ -29,7 +29,8 @@ std::array<long long, D> count_cells(const Shape<D>& shape, double spacing);
 /// spacing inside the faces of a box. A cell becomes a particle when its centre lies in the shape. All particles have
 /// the same volume, and their sum is the exact volume of the shape whatever the spacing: where a curved face cuts
 /// cells, or a length is no whole number of spacings, all volumes are scaled alike. Order: the last coordinate changes
-/// fastest. Throws InputError when no cell lies in the shape, or too many do.
+/// fastest. With the lattice `concentric` see place_concentric. Throws InputError when no cell lies in the shape, or
+/// too many do.
 template <int D>
 PlacedBody<D> place_body(const BodyDescription& body, double spacing);
 

@@ -69,11 +69,12 @@ Frame Solver<D>::frame() const {
   }
   frame.arrays = {std::move(id),      std::move(body),     std::move(initial), std::move(velocity),
                   std::move(density), std::move(pressure), std::move(stress),  std::move(smoothing_length)};
-  if (fields_.has(field::plastic_strain)) {
-    FrameArray plastic_strain = array_of(field::plastic_strain, 1, particles);
-    const auto values = fields_.scalar(field::plastic_strain);
-    std::copy(values.begin(), values.end(), plastic_strain.values.begin());
-    frame.arrays.push_back(std::move(plastic_strain));
+  for (const FieldKey* key : {&field::plastic_strain, &field::specific_energy}) {
+    if (!fields_.has(*key)) continue;
+    FrameArray array = array_of(*key, 1, particles);
+    const auto values = fields_.scalar(*key);
+    std::copy(values.begin(), values.end(), array.values.begin());
+    frame.arrays.push_back(std::move(array));
   }
   const auto& wanted = scene_.output.fields;
   if (std::find(wanted.begin(), wanted.end(), field::deviatoric_stress.name) != wanted.end())

@@ -35,7 +35,7 @@ void sum_viscosity(const PairTile<D>& tile, const PairRecords<D>& records, const
         work += v_ij * grad[a];
       }
       if constexpr (lanes<D> == 1)
-        if (!(approach.first() < 0.0) || grad[0].first() == 0.0) continue;  // parting, or out of reach
+        if (!(approach.first() < 0.0) || (D == 1 && grad[0].first() == 0.0)) continue;  // parting, or out of reach
       load_record(records.medium, tile.neighbour + k, other_medium);
       const L h = L(0.5) * (L(place[D]) + other_place[D]);
       const L mu = min(h * approach / (distance_squared + epsilon * h * h), L(0.0));
