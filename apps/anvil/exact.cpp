@@ -5,6 +5,7 @@
 
 #include "anvil/core/error.hpp"
 #include "anvil/exact/scene_reference.hpp"
+#include "anvil/exact/scene_shell.hpp"
 #include "anvil/output/atomic_file.hpp"
 #include "anvil/scene/reader.hpp"
 #include "command_line.hpp"
@@ -15,10 +16,12 @@ namespace {
 namespace po = boost::program_options;
 
 Usage make_usage() {
-  Usage usage{"anvil exact SCENE --time T [-o FILE] [options]",
-              "Prints the exact solution of plane waves in a scene as CSV: a plate in layers or a rod, under any "
-              "pressures,\nin contact or in flight. Positions are those before the deformation.",
-              "SCENE"};
+  Usage usage{
+      "anvil exact SCENE --time T [-o FILE] [options]",
+      "Prints the exact solution of plane waves in a scene as CSV: a plate in layers or a rod, under any "
+      "pressures,\nin contact or in flight. Positions are those before the deformation. Of a collapsing ring it "
+      "prints\nradii and energies from the start to T.",
+      "SCENE"};
   auto add = usage.options.add_options();
   add("time", po::value<double>()->value_name("T"), "time in s");
   add("points", po::value<int>()->value_name("N")->default_value(1000),
@@ -57,14 +60,38 @@ std::vector<ExactPoint> sample(const SceneReference& reference, int points) {
 }
 
 std::string write_table(const std::vector<ExactPoint>& points, bool has_density) {
-  std::string text = "initial_position [m],stress_xx [Pa],velocity_x [m/s],pressure [Pa],deviator_xx [Pa]";
+  std::string text =
+      "initial_position [m],stress_xx [Pa],velocity_x [m/s],pressure [Pa],deviator_xx [Pa],specific_energy [J/kg]";
   text += has_density ? ",density [kg/m3]\n" : "\n";
   for (const auto& point : points) {
-    text += fmt::format("{},{},{},{},{}", point.initial_position, point.stress, point.velocity, point.pressure,
-                        point.deviator);
+    text += fmt::format("{},{},{},{},{},{}", point.initial_position, point.stress, point.velocity, point.pressure,
+                        point.deviator, point.energy);
     text += has_density ? fmt::format(",{}\n", point.density) : "\n";
   }
   return text;
+}
+
+/// A shell over time: faces and energies at `points` times from the start to `time`.
+std::string shell_table(const Scene& scene, double time, int points) {
+  constexpr std::size_t cells = 400;
+  if (points < 2) throw InputError(fmt::format("--points must be 2 or more for a shell, found {}", points));
+  CylindricalShell shell(shell_problem(scene), cells);
+  std::string text =
+      fmt::format("# {}: one-dimensional calculation with {} cells, energies per metre\n", scene.title, cells);
+  text += "time [s],inner_radius [m],outer_radius [m],kinetic_energy [J],internal_energy [J],plastic_work [J]\n";
+  for (int i = 0; i < points; ++i) {
+    shell.advance_to(time * i / (points - 1));
+    text += fmt::format("{},{},{},{},{},{}\n", shell.time(), shell.inner_radius(), shell.outer_radius(),
+                        shell.kinetic_energy(), shell.internal_energy(), shell.plastic_work());
+  }
+  return text;
+}
+
+std::string wave_table(const Scene& scene, double time, const po::variables_map& values) {
+  const SceneReference reference(scene, {time}, measure_from(values, scene));
+  return fmt::format("# {}, t = {} s: {}\n", scene.title.empty() ? scene.name : scene.title, time,
+                     reference.description()) +
+         write_table(sample(reference, values["points"].as<int>()), scene.domain.strain_state == "uniaxial_strain");
 }
 
 }  // namespace
@@ -75,11 +102,8 @@ int execute_exact(const Arguments& arguments) {
   if (!values) return 0;
   const Scene scene = read_scene(locate_scene(required(*values, usage, "SCENE")), repeated(*values, "set"));
   const double time = time_from(*values, usage);
-  const SceneReference reference(scene, {time}, measure_from(*values, scene));
   const std::string text =
-      fmt::format("# {}, t = {} s: {}\n", scene.title.empty() ? scene.name : scene.title, time,
-                  reference.description()) +
-      write_table(sample(reference, (*values)["points"].as<int>()), scene.domain.strain_state == "uniaxial_strain");
+      is_shell(scene) ? shell_table(scene, time, (*values)["points"].as<int>()) : wave_table(scene, time, *values);
   if (values->count("output") != 0)
     write_text_atomically((*values)["output"].as<std::string>(), text);
   else

@@ -101,8 +101,10 @@ void FaceGhosts::show(PairRecords<1>& records, std::span<const PressureLoad> loa
     const double volume = open(face) ? mass_[source] / density_[source] : 0.0;
     records.geometry[image][0] = 2.0 * face_position(face) - position_[source];
     records.geometry[image][1] = smoothing_length_[source];
-    records.motion[image][0] = 0.0;
+    records.motion[image][0] = records.motion[source][0];  // no velocity is given at a face: no shock there
     records.motion[image][1] = volume;
+    if (records.response.count() != 0) std::copy_n(records.response[source], 8, records.response[image]);
+    if (records.slope.count() != 0) records.slope[image][SlopeField<1>::body] = -1.0;  // nothing to extrapolate across
     records.traction[image][0] = 2.0 * stress - records.traction[source][0];
     records.traction[image][1] = volume;
   }

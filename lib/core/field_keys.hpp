@@ -20,6 +20,14 @@ inline constexpr FieldKey plastic_strain{"plastic_strain", "", "accumulated equi
 inline constexpr FieldKey viscous_pressure{"viscous_pressure", "Pa", "of the bulk viscosity"};
 inline constexpr FieldKey deformation_gradient{"deformation_gradient", "", "d x_a / d X_b, X where it was at the start"};
 inline constexpr FieldKey plastic_dilation{"plastic_dilation", "", "accumulated plastic volume strain"};
+inline constexpr FieldKey specific_energy{"specific_energy", "J/kg", "internal, what the equation of state reads"};
+inline constexpr FieldKey kick_energy{"kick_energy", "J/kg",
+                                      "internal, at the time of the velocities; exchanged by pairs"};
+inline constexpr FieldKey velocity_gradient{"velocity_gradient", "1/s", "of the last step; slopes towards neighbours"};
+inline constexpr FieldKey pair_acceleration{"pair_acceleration", "m/s2", "of the last step; slopes of the stress"};
+inline constexpr FieldKey star_gradient{"star_gradient", "1/s",
+                                        "velocity gradient of the star states beyond the means"};
+inline constexpr FieldKey gradient_correction{"gradient_correction", "", "of the last step's gradients, symmetric"};
 inline constexpr FieldKey listed_position{"listed_position", "m", "position when the neighbour list was made"};
 inline constexpr FieldKey listed_smoothing_length{"listed_smoothing_length", "m", "h when the neighbour list was made"};
 

@@ -14,5 +14,6 @@ ANVIL_INLINE double min(double a, double b) { return b < a ? b : a; }
 ANVIL_INLINE double sqrt(double a) { return std::sqrt(a); }
 ANVIL_INLINE double exp(double a) { return std::exp(a); }
 ANVIL_INLINE double select(bool condition, double if_true, double if_false) { return condition ? if_true : if_false; }
+ANVIL_INLINE bool any(bool condition) { return condition; }
 
 }  // namespace anvil

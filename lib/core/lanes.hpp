@@ -71,6 +71,11 @@ struct LaneMask {
   }
 };
 
+template <int N>
+ANVIL_INLINE bool any(LaneMask<N> mask) {
+  return !hn::AllFalse(typename Lanes<N>::Tag(), mask.m);
+}
+
 /// Fields first .. first+3 of the records of N particles, each field in its own vector: out[f] holds field f of record
 /// index[l] in lane l. A record is `stride` doubles long.
 template <int N>

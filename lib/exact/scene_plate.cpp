@@ -46,23 +46,17 @@ ElasticPlasticConstants constants_of(const MaterialDescription& material) {
                      material.name, material.strength.type));
 }
 
-double bulk_modulus_of(const MaterialDescription& material) {
-  if (material.eos.type != "linear")
-    refuse(fmt::format("it is known for the equation of state linear, and the material '{}' has {}", material.name,
-                       material.eos.type));
-  return material.eos.parameters.number("bulk_modulus");
-}
-
 WaveMaterial wave_material(const Scene& scene, const MaterialDescription& material, StrainMeasure measure) {
   const ElasticPlasticConstants constants = constants_of(material);
-  const double bulk_modulus = bulk_modulus_of(material);
+  const PressureLaw law = pressure_law_of(material);
+  const double bulk_modulus = std::visit([](const auto& one) { return one.bulk_stiffness(); }, law);
   if (scene.domain.strain_state == "uniaxial_stress") {
     const double shear_modulus = constants.shear_modulus;
     const double young_modulus = 9.0 * bulk_modulus * shear_modulus / (3.0 * bulk_modulus + shear_modulus);
     return WaveMaterial::uniaxial_stress(material.density, young_modulus, constants);
   }
   if (measure == StrainMeasure::small) return WaveMaterial::small_strain(material.density, bulk_modulus, constants);
-  return WaveMaterial::finite_strain(material.density, PressureLinearInDensity{bulk_modulus}, constants);
+  return WaveMaterial::finite_strain(material.density, law, constants);
 }
 
 /// From left to right.
@@ -118,6 +112,19 @@ void set_wall(const BoundaryDescription& boundary, double spacing, PlateProblem&
 
 }  // namespace
 
+PressureLaw pressure_law_of(const MaterialDescription& material) {
+  const Parameters& keys = material.eos.parameters;
+  if (material.eos.type == "linear") return PressureLinearInDensity{keys.number("bulk_modulus")};
+  if (material.eos.type == "stiffened_gas")
+    return PressureStiffenedGas{material.density, keys.number("sound_speed"), keys.number("gamma")};
+  if (material.eos.type == "mie_grueneisen")
+    return PressureMieGrueneisen{material.density, keys.number("sound_speed"), keys.number("slope"),
+                                 keys.number("grueneisen")};
+  refuse(fmt::format(
+      "it is known for the equations of state linear, stiffened_gas and mie_grueneisen, and the material '{}' has {}",
+      material.name, material.eos.type));
+}
+
 PlateProblem plate_problem(const Scene& scene, StrainMeasure measure) {
   if (scene.domain.dimension != 1) refuse(fmt::format("it has {} dimensions", scene.domain.dimension));
   if (scene.bodies.empty()) refuse("it has no body");
@@ -128,7 +135,8 @@ PlateProblem plate_problem(const Scene& scene, StrainMeasure measure) {
     const Span span = span_of(*body);
     problem.layers.push_back({.thickness = span.end - span.begin,
                               .material = wave_material(scene, material_of(scene, *body), measure),
-                              .velocity = body->velocity.at(0)});
+                              .velocity = body->velocity.at(0),
+                              .deviator = body->deviatoric_stress.empty() ? 0.0 : body->deviatoric_stress[0]});
   }
   for (const auto& boundary : scene.boundaries) {
     if (boundary.entry.type == "pressure")

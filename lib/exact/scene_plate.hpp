@@ -16,6 +16,9 @@ enum class StrainMeasure { finite, small };
 /// ends.
 PlateProblem plate_problem(const Scene& scene, StrainMeasure measure);
 
+/// The law of the exact solutions for a material's equation of state. Throws InputError when there is none.
+PressureLaw pressure_law_of(const MaterialDescription& material);
+
 /// Whether every layer is elastic however hard it is hit.
 bool is_elastic(const Scene& scene);
 

@@ -86,6 +86,7 @@ ExactPoint SceneReference::point_of(double position, const WaveState& state, dou
   point.density = reference_density / (1.0 + state.strain);
   point.pressure = state.pressure();
   point.deviator = state.deviator;
+  point.energy = state.energy;
   return point;
 }
 

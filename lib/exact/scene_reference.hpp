@@ -22,6 +22,7 @@ struct ExactPoint {
   double density = 0.0;           // kg/m3
   double pressure = 0.0;          // Pa
   double deviator = 0.0;          // Pa, axial part
+  double energy = 0.0;            // J/kg, specific internal; in finite strain
 };
 
 /// Whether a value of compare.reference asks for the solution computed here and not for a file.

@@ -66,12 +66,13 @@ double ExactPoint::*exact_member(const std::string& field) {
                                                                   {"velocity.x", &ExactPoint::velocity},
                                                                   {"density", &ExactPoint::density},
                                                                   {"pressure", &ExactPoint::pressure},
-                                                                  {"deviatoric_stress.xx", &ExactPoint::deviator}};
+                                                                  {"deviatoric_stress.xx", &ExactPoint::deviator},
+                                                                  {"specific_energy", &ExactPoint::energy}};
   for (const auto& [name, member] : members)
     if (field == name) return member;
   throw InputError(
-      fmt::format("the exact solution knows stress.xx, velocity.x, density, pressure and "
-                  "deviatoric_stress.xx; it cannot go with '{}'",
+      fmt::format("the exact solution knows stress.xx, velocity.x, density, pressure, deviatoric_stress.xx and "
+                  "specific_energy; it cannot go with '{}'",
                   field));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "anvil/materials/material_update.hpp"
 
+#include <limits>
+
 #include "anvil/core/field_keys.hpp"
 #include "anvil/materials/strain_state.hpp"
 #include "anvil/materials/stress_update.hpp"
@@ -89,6 +91,10 @@ class StrengthAtWork final : public StrengthUpdate<D> {
   [[nodiscard]] std::string_view law() const override { return name_; }
   [[nodiscard]] bool resists_shear() const override { return Law::resists_shear; }
   [[nodiscard]] double shear_modulus() const override { return law_.shear_modulus(); }
+  [[nodiscard]] double yield_stress(std::size_t particle) const override {
+    if constexpr (requires { law_.yield_stress(0.0); }) return law_.yield_stress(plastic_strain_[particle]);
+    return Law::resists_shear ? std::numeric_limits<double>::infinity() : 0.0;
+  }
 
   [[nodiscard]] double elastic_energy(ParticleRange range) const override {
     double energy = 0.0;
@@ -111,6 +117,25 @@ class StrengthAtWork final : public StrengthUpdate<D> {
   double* dilation_ = nullptr;
 };
 
+/// s : L of a packed deviator and a velocity gradient, W/m3.
+template <int D>
+double shear_power(const double* s, const double* gradient) {
+  double power = 0.0;
+  for (int a = 0; a < D; ++a) power += s[a] * gradient[a * (D + 1)];
+  if constexpr (D == 2) power += s[2] * (gradient[1] + gradient[2]);
+  if constexpr (D == 3)
+    power +=
+        s[3] * (gradient[1] + gradient[3]) + s[4] * (gradient[5] + gradient[7]) + s[5] * (gradient[2] + gradient[6]);
+  return power;
+}
+
+template <int D>
+double trace(const double* gradient) {
+  double sum = 0.0;
+  for (int a = 0; a < D; ++a) sum += gradient[a * (D + 1)];
+  return sum;
+}
+
 template <int D, class Law>
 class EosAtWork final : public EosUpdate<D> {
  public:
@@ -119,13 +144,34 @@ class EosAtWork final : public EosUpdate<D> {
         mass_((fields.require(field::mass), fields.scalar(field::mass))),
         density_((fields.require(field::density), fields.scalar(field::density))),
         pressure_((fields.require(field::pressure), fields.scalar(field::pressure))) {
-    static_assert(!Law::uses_energy, "an equation of state that reads energy needs the energy equation");
+    if constexpr (Law::uses_energy) fields.require(field::specific_energy);
+    if (fields.has(field::specific_energy)) energy_ = fields.scalar(field::specific_energy).data();
+    if (fields.has(field::deviatoric_stress)) deviator_ = fields.vector<components>(field::deviatoric_stress).raw();
   }
 
   void update(ParticleRange range, double* bulk_sound_speed_squared) const override {
     for (std::size_t i = range.first(); i < range.last(); ++i) {
-      pressure_[i] = law_.pressure(density_[i], 0.0);
-      *bulk_sound_speed_squared++ = law_.bulk_sound_speed_squared(density_[i], 0.0);
+      const double energy = Law::uses_energy ? energy_[i] : 0.0;
+      pressure_[i] = law_.pressure(density_[i], energy);
+      *bulk_sound_speed_squared++ = law_.bulk_sound_speed_squared(density_[i], energy);
+    }
+  }
+
+  void add_work_before(ParticleRange range, const double* velocity_gradient, double time_step) const override {
+    for (std::size_t i = range.first(); i < range.last(); ++i, velocity_gradient += D * D)
+      energy_[i] += 0.5 * time_step / density_[i] *
+                    (shear_power_of(i, velocity_gradient) - pressure_[i] * trace<D>(velocity_gradient));
+  }
+
+  void add_work_after(ParticleRange range, const double* velocity_gradient, double time_step) const override {
+    for (std::size_t i = range.first(); i < range.last(); ++i, velocity_gradient += D * D) {
+      const double weight = 0.5 * time_step / density_[i];
+      const double expansion = weight * trace<D>(velocity_gradient);  // m3/kg
+      const double energy = energy_[i] + weight * shear_power_of(i, velocity_gradient);
+      double pressure = law_.pressure(density_[i], energy);
+      // The energy this pressure takes lowers it: one Newton step, exact for a law that is linear in the energy.
+      if constexpr (HasEnergyDerivative<Law>) pressure /= 1.0 + law_.energy_derivative(density_[i], energy) * expansion;
+      energy_[i] = energy - pressure * expansion;
     }
   }
 
@@ -141,15 +187,23 @@ class EosAtWork final : public EosUpdate<D> {
 
   [[nodiscard]] double elastic_energy(ParticleRange range) const override {
     double energy = 0.0;
-    for (std::size_t i = range.first(); i < range.last(); ++i) energy += mass_[i] * law_.cold_energy(density_[i]);
+    if constexpr (HasColdEnergy<Law>)
+      for (std::size_t i = range.first(); i < range.last(); ++i) energy += mass_[i] * law_.cold_energy(density_[i]);
     return energy;
   }
 
  private:
+  static constexpr std::size_t components = StrainStateOf<D>::Type::components;
+  [[nodiscard]] double shear_power_of(std::size_t i, const double* velocity_gradient) const {
+    return deviator_ == nullptr ? 0.0 : shear_power<D>(deviator_ + components * i, velocity_gradient);
+  }
+
   Law law_;
   std::string_view name_ = Law::kind().type;
   std::span<const double> mass_, density_;
   std::span<double> pressure_;
+  double* energy_ = nullptr;
+  const double* deviator_ = nullptr;
 };
 
 }  // namespace

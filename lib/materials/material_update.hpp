@@ -32,6 +32,8 @@ class StrengthUpdate {
   [[nodiscard]] virtual std::string_view law() const = 0;
   [[nodiscard]] virtual bool resists_shear() const = 0;
   [[nodiscard]] virtual double shear_modulus() const = 0;  // Pa
+  /// Equivalent stress at which a particle yields now, Pa: infinite for a law without one, zero for a fluid.
+  [[nodiscard]] virtual double yield_stress(std::size_t particle) const = 0;
   /// Energy stored by shear in the range, J.
   [[nodiscard]] virtual double elastic_energy(ParticleRange range) const = 0;
 };
@@ -45,17 +47,23 @@ class EosUpdate {
   EosUpdate& operator=(const EosUpdate&) = delete;
   virtual ~EosUpdate() = default;
 
-  /// Sets the pressures of the range from its densities and writes the squared speed of sound without shear, m2/s2, per
-  /// particle of the range.
+  /// Sets the pressures of the range from its densities and energies and writes the squared speed of sound without
+  /// shear, m2/s2, per particle of the range.
   virtual void update(ParticleRange range, double* bulk_sound_speed_squared) const = 0;
+  // Scenes with a specific energy: the work of the stress over a step of time_step (s) under the velocity gradients (D
+  // x D per particle of the range, 1/s), half of it before density and deviator of the range change and half after,
+  // when the pressure it leaves is its own. The trapezoidal rule is of second order.
+  virtual void add_work_before(ParticleRange range, const double* velocity_gradient, double time_step) const = 0;
+  virtual void add_work_after(ParticleRange range, const double* velocity_gradient, double time_step) const = 0;
   [[nodiscard]] virtual std::string_view law() const = 0;
-  /// Energy stored by compression in the range, J.
+  /// Energy stored by compression in the range, J; zero for a law that reads the energy, which holds it already.
   [[nodiscard]] virtual double elastic_energy(ParticleRange range) const = 0;
   /// The same from the pressures, p^2/(2 K) per volume, where a strength law limits them.
   [[nodiscard]] virtual double energy_of_pressure(ParticleRange range) const = 0;
 };
 
-/// Require the fields the law needs, nothing else.
+/// Require the fields the law needs, nothing else. The equation of state of a body comes after its strength; a scene
+/// with a specific energy has required it before.
 template <int D>
 std::unique_ptr<StrengthUpdate<D>> make_strength_update(const Strength& law, FieldStore& fields);
 template <int D>

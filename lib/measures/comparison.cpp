@@ -80,6 +80,10 @@ std::vector<ComparedQuantity> compare(const Result& result, const Reference& ref
     const double value = measure(name, result);
     quantities.push_back({name, std::string(find_measure(name)->unit), value, std::nullopt, 0.0, value, std::nullopt});
   }
+  if (!result.scene.bodies.empty() && result.scene.bodies.front().shape.type == "ring") {
+    const double circularity = measure("shell_circularity", result);
+    quantities.push_back({"shell_circularity", "", circularity, std::nullopt, 0.0, circularity, std::nullopt});
+  }
   set_tolerances(quantities, tolerance);
   return quantities;
 }

@@ -11,6 +11,7 @@
 #include "anvil/core/error.hpp"
 #include "anvil/measures/balance.hpp"
 #include "anvil/measures/rod.hpp"
+#include "anvil/measures/shell.hpp"
 #include "anvil/scene/shape.hpp"
 
 namespace anvil {
@@ -33,6 +34,8 @@ double whole_over_part(const Scene& scene) {
 }
 
 Rod rod_of(const Result& result) { return {result.frame, rod_shape(result.scene)}; }
+
+Shell shell_of(const Result& result) { return {result.frame, shell_shape(result.scene)}; }
 
 template <int Micrometres>
 double strain_on_axis(const Result& result) {
@@ -84,6 +87,9 @@ constexpr std::array measure_table = {
     Measure{"side_half_width_4mm", "m", half_width_at<4000>},
     Measure{"side_half_width_8mm", "m", half_width_at<8000>},
     Measure{"side_half_width_12mm", "m", half_width_at<12000>},
+    Measure{"shell_inner_radius", "m", [](const Result& result) { return shell_of(result).inner_radius(); }},
+    Measure{"shell_outer_radius", "m", [](const Result& result) { return shell_of(result).outer_radius(); }},
+    Measure{"shell_circularity", "", [](const Result& result) { return shell_of(result).circularity(); }},
     Measure{"plastic_work", "J",
             [](const Result& result) {
               return whole_over_part(result.scene) * required_column(result.history, "plastic_work").back();
@@ -103,6 +109,8 @@ constexpr std::array measure_table = {
 };
 
 constexpr std::array profile_table = {
+    ProfileMeasure{"kinetic_energy_history",
+                   [](const Result& result) { return over_time(result.history, "kinetic_energy"); }},
     ProfileMeasure{"half_width", [](const Result& result) { return rod_of(result).half_width(); }},
     ProfileMeasure{"axis_plastic_strain", [](const Result& result) { return rod_of(result).axis_plastic_strain(); }},
 };

@@ -65,6 +65,8 @@ int correct_gradients(const PairTile<D>& tile, const PairRecords<D>& records) {
     double moment[components], inverse[6] = {1.0, 1.0, D == 2 ? 0.0 : 1.0};
     for (int c = 0; c < components; ++c) moment[c] = sum[c].sum();
     if (!invert_moment<D>(moment, inverse)) ++kept;
+    if (tile.correction != nullptr)
+      for (int c = 0; c < components; ++c) tile.correction[(i - tile.begin) * components + c] = inverse[c];
     for (std::int64_t k = begin; k < end; k += lanes<D>) {
       const std::int64_t at = k - tile.first[tile.begin];
       L plain[D], corrected[D];

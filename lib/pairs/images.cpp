@@ -184,6 +184,22 @@ void Images<D>::fill_medium(PairRecords<D>& records, std::size_t first) const {
 }
 
 template <int D>
+void Images<D>::fill_responses(PairRecords<D>& records, std::size_t first) const {
+  if (records.response.count() == 0) return;
+  for_each_image([&](std::size_t g, std::size_t from, const Transform<D>& transform) {
+    std::copy_n(records.response[from], Records<8>::size, records.response[first + g]);
+    if (records.correction.count() != 0)
+      turn_symmetric<D>(transform.turn, records.correction[from], records.correction[first + g]);
+    if (records.slope.count() == 0) return;
+    const double* slope = records.slope[from];
+    double* image = records.slope[first + g];
+    turn_tensor<D>(transform.turn, slope + SlopeField<D>::velocity, image + SlopeField<D>::velocity);
+    turn_vector<D>(transform.turn, slope + SlopeField<D>::stress, image + SlopeField<D>::stress);
+    image[SlopeField<D>::body] = slope[SlopeField<D>::body];
+  });
+}
+
+template <int D>
 void Images<D>::widen(Vec<D>& least, Vec<D>& greatest) const {
   const Vec<D> middle = 0.5 * (least + greatest), half = 0.5 * (greatest - least);
   for (const auto& transform : transforms_) {

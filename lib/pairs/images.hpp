@@ -65,6 +65,8 @@ class Images {
   void fill_traction(PairRecords<D>& records, std::size_t first) const;
   void fill_nominal(PairRecords<D>& records, std::size_t first) const;
   void fill_medium(PairRecords<D>& records, std::size_t first) const;
+  /// Response, slope and correction, those that are there.
+  void fill_responses(PairRecords<D>& records, std::size_t first) const;
 
   /// Widens the box of the particles' displacements to that of particles and images.
   void widen(Vec<D>& least, Vec<D>& greatest) const;

@@ -6,6 +6,7 @@
 #include "anvil/pairs/gradient_loop.hpp"
 #include "anvil/pairs/pair_loops.hpp"
 #include "anvil/terms/density_diffusion_loop.hpp"
+#include "anvil/terms/hllc_loop.hpp"
 #include "anvil/terms/laminar_viscosity_loop.hpp"
 #include "anvil/terms/momentum_loop.hpp"
 #include "anvil/terms/nominal_momentum_loop.hpp"
@@ -37,6 +38,7 @@ constexpr PairLoops<D> table() {
           .viscosity = &sum_viscosity<D>,
           .laminar_viscosity = &sum_laminar_viscosity<D>,
           .density_diffusion = &sum_density_diffusion<D>,
+          .hllc = &sum_hllc<D>,
           .plain_smoothing = &sum_plain_smoothing<D>,
           .pairwise_smoothing = &sum_pairwise_smoothing<D>};
 }

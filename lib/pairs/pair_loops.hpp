@@ -46,6 +46,7 @@ struct PairLoops {
   void (*laminar_viscosity)(const PairTile<D>&, const PairRecords<D>&, double* acceleration, double* heating);
   void (*density_diffusion)(const PairTile<D>&, const PairRecords<D>&, double delta, const double* gravity,
                             double* rate);
+  void (*hllc)(const PairTile<D>&, const PairRecords<D>&, const HllcChoices&, const HllcSums&);
   void (*plain_smoothing)(const PairTile<D>&, const PairRecords<D>&, double* change);
   void (*pairwise_smoothing)(const PairTile<D>&, const PairRecords<D>&, double* change);
 };

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "anvil/pairs/tile.hpp"
+
 namespace anvil {
 
 /// Independent components a symmetric tensor shows to forces in D dimensions: XX | XX YY XY | XX YY ZZ XY YZ XZ.
@@ -37,7 +39,25 @@ class Records {
 /// Far outside any support, yet no power of it that a kernel forms overflows.
 inline constexpr double padding_distance = 1e30;  // m
 
-/// The records of a D-dimensional scene; `medium` is filled only when a term asks for it.
+/// Fields of the response record: what a Riemann problem asks of a material point beside its state.
+enum ResponseField : int {
+  response_pressure,       // Pa
+  response_density,        // kg/m3
+  response_elastic_speed,  // m/s
+  response_plastic_speed,  // m/s
+  response_shear,          // 4 G / 3, Pa
+  response_inverse_shear,  // 1/Pa
+  response_limit,          // 2 Y / 3, Pa
+};
+
+/// Fields of the slope record: the velocity gradient (D x D, row first), density times acceleration (D), which is the
+/// divergence of stress, and the number of the body.
+template <int D>
+struct SlopeField {
+  static constexpr int velocity = 0, stress = D * D, body = D * D + D, size = D == 1 ? 4 : (D == 2 ? 8 : 16);
+};
+
+/// The records of a D-dimensional scene; the last four are filled only when a term asks.
 template <int D>
 struct PairRecords {
   static constexpr int small = D == 1 ? 2 : 4;
@@ -48,6 +68,9 @@ struct PairRecords {
   Records<large> traction;  // tensor T, weight w: what the momentum sum reads
   Records<nominal_size> nominal;  // tensor of D x D, weight: what the momentum sum of the reference configuration reads
   Records<4> medium;        // sound speed without shear, density, mass, viscosity
+  Records<8> response;      // by ResponseField
+  Records<SlopeField<D>::size> slope;
+  Records<large> correction;  // symmetric and packed
 
   /// Room for images of particles (see Images, FaceGhosts) behind the padding record; those of before are gone.
   void set_images(std::size_t images) {
@@ -58,6 +81,8 @@ struct PairRecords {
       nominal.keep(own, own + images);
     else
       traction.keep(own, own + images);
+    if (response.count() != 0) response.keep(own, own + images);
+    if (slope.count() != 0) slope.keep(own, own + images);
     if (medium.count() == 0) return;
     medium.keep(own, own + images);
     for (std::size_t g = 0; g < images; ++g) medium[own + g][1] = 1.0;  // a density to divide by; their mass stays zero
@@ -66,25 +91,32 @@ struct PairRecords {
   /// The record of the first image.
   [[nodiscard]] std::size_t first_image() const { return particles_ + 1; }
 
-  /// All records zero but those of the padding. Those of stress are `traction` or `nominal`.
-  void resize(std::size_t particles, bool with_medium, bool with_nominal = false);
+  /// All records zero but those of the padding. Records nobody needs stay empty.
+  void resize(std::size_t particles, const PairNeeds& needs);
 
  private:
   std::size_t particles_ = 0;
 };
 
 template <int D>
-void PairRecords<D>::resize(std::size_t particles, bool with_medium, bool with_nominal) {
+void PairRecords<D>::resize(std::size_t particles, const PairNeeds& needs) {
   particles_ = particles;
   geometry.resize(particles);
   motion.resize(particles);
-  if (with_nominal)
+  if (needs.nominal)
     nominal.resize(particles);
   else
     traction.resize(particles);
   std::fill_n(geometry[particles], D, padding_distance);
   geometry[particles][D] = 1.0;
-  if (!with_medium) return;
+  if (needs.slope) slope.resize(particles);
+  if (needs.correction) correction.resize(particles);
+  if (needs.response) {
+    response.resize(particles);
+    for (const int field : {response_density, response_elastic_speed, response_plastic_speed})
+      response[particles][field] = 1.0;  // to divide by
+  }
+  if (!needs.medium) return;
   medium.resize(particles);
   medium[particles][1] = 1.0;  // a density to divide by; its mass stays zero
 }

@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "anvil/boundaries/pressure.hpp"
 #include "anvil/core/error.hpp"
+#include "anvil/materials/material_tables.hpp"
+#include "anvil/materials/strain_state.hpp"
 #include "anvil/scene/boundary_checks.hpp"
 #include "anvil/scene/overlap.hpp"
 #include "anvil/scene/placement.hpp"
@@ -56,6 +59,72 @@ void check_speeds(const Scene& scene, Contradictions& found) {
     const bool possible = std::all_of(body.velocity.begin(), body.velocity.end(),
                                       [](double component) { return std::abs(component) < speed_of_light; });
     if (!possible) found.push_back({fmt::format("body.{}.velocity", body.name), "the body would be faster than light"});
+  }
+}
+
+/// Tensor of a packed deviator; nothing when it has not the components of its dimension.
+std::optional<Tensor> unpacked_deviator(int dimension, const std::vector<double>& s) {
+  if (dimension == 1 && s.size() == 1) return UniaxialStrain::deviator(s.data());
+  if (dimension == 2 && s.size() == 3) return PlaneStrain::deviator(s.data());
+  if (dimension == 3 && s.size() == 6) return FullStrain::deviator(s.data());
+  return std::nullopt;
+}
+
+/// A stress at the start must be a deviator that the material can hold.
+void check_deviators(const Scene& scene, Contradictions& found) {
+  for (const auto& body : scene.bodies) {
+    if (body.deviatoric_stress.empty()) continue;
+    const auto refuse = [&](const std::string& why) {
+      found.push_back({fmt::format("body.{}.deviatoric_stress", body.name), why});
+    };
+    const auto deviator = unpacked_deviator(scene.domain.dimension, body.deviatoric_stress);
+    if (!deviator) {
+      const int components = scene.domain.dimension * (scene.domain.dimension + 1) / 2;
+      refuse(fmt::format("it has {} components, and {} belong to {} dimension{}", body.deviatoric_stress.size(),
+                         components, scene.domain.dimension, scene.domain.dimension == 1 ? "" : "s"));
+      continue;
+    }
+    const double size = std::sqrt(equivalent_stress_squared(*deviator));
+    if (std::abs(deviator->trace()) > 1e-9 * size)
+      refuse(fmt::format("its trace is {:.6g} Pa, and that of a deviator is zero", deviator->trace()));
+    const auto material = std::find_if(scene.materials.begin(), scene.materials.end(),
+                                       [&](const auto& one) { return one.name == body.material; });
+    if (material == scene.materials.end()) continue;
+    const Parameters& strength = material->strength.parameters;
+    if (material->strength.type == "none") {
+      refuse(fmt::format("the material '{}' has no strength and holds none", material->name));
+    } else if (strength.has("yield_stress") && size > strength.number("yield_stress")) {
+      refuse(fmt::format("its equivalent stress of {:.6g} Pa is beyond the yield stress of '{}', {:.6g} Pa", size,
+                         material->name, strength.number("yield_stress")));
+    }
+  }
+}
+
+/// Layers and a radial velocity need a ring, the latter with a hole, where 1/r has an end.
+void check_rings(const Scene& scene, Contradictions& found) {
+  for (const auto& body : scene.bodies) {
+    const bool ring = body.shape.type == "ring";
+    if (body.lattice == "concentric" && !ring)
+      found.push_back({fmt::format("body.{}.lattice", body.name), "concentric layers fill a ring; use cubic"});
+    if (body.radial_velocity != 0.0 && (!ring || body.shape.parameters.number("inner_radius") == 0.0))
+      found.push_back({fmt::format("body.{}.radial_velocity", body.name), "it belongs to a ring with a hole"});
+  }
+}
+
+/// What the energy equation does not go with.
+void check_energy(const Scene& scene, Contradictions& found) {
+  for (const auto& material : scene.materials) {
+    if (!uses_energy(make_eos(material.eos, material.density))) continue;
+    if (scene.domain.strain_state == "uniaxial_stress")
+      found.push_back({"domain.strain_state",
+                       fmt::format("uniaxial_stress does not go with the equation of state of '{}', which reads the "
+                                   "energy; use linear, or uniaxial_strain",
+                                   material.name)});
+    if (scene.shock.method == "fct")
+      found.push_back({"shock.method",
+                       fmt::format("flux-corrected transport moves density without its energy, which the equation of "
+                                   "state of '{}' reads; use hllc or artificial_viscosity",
+                                   material.name)});
   }
 }
 
@@ -218,6 +287,11 @@ void check_total_lagrangian(const Scene& scene, Contradictions& found) {
   if (scene.bodies.size() > 1 && !all_on_faces)
     refuse("discretisation.method",
            "total_lagrangian bodies meet by their faces; give each of them lattice = \"face_lattice\"");
+  for (const auto& material : scene.materials)
+    if (std::visit([](const auto& eos) { return eos.uses_energy; }, make_eos(material.eos, material.density)))
+      found.push_back({fmt::format("material.{}.eos", material.name),
+                       fmt::format("{} reads the energy, which total_lagrangian does not keep; use linear",
+                                   material.eos.type)});
   if (scene.domain.strain_state == "uniaxial_stress")
     refuse("domain.strain_state", "total_lagrangian has no uniaxial stress; use kernel_gradient_correction or cspm");
 }
@@ -233,6 +307,30 @@ void check_rotations(const Scene& scene, Contradictions& found) {
                                                   wanted == 1 ? "one angle" : "three numbers, axis times angle",
                                                   body.rotation.size())});
   }
+}
+
+/// The gradients of hllc are those of the method, or plain.
+void check_hllc(const Scene& scene, Contradictions& found) {
+  if (scene.shock.method != "hllc") return;
+  if (scene.discretisation.method == "cspm")
+    found.push_back({"discretisation.method",
+                     "cspm takes differences of stress, and hllc sums it; use kernel_gradient_correction or sph"});
+  if (scene.discretisation.momentum_form != "sum" && scene.discretisation.method != "cspm")
+    found.push_back(
+        {"discretisation.momentum_form",
+         fmt::format("hllc takes the place of the momentum equation and knows no form {}; leave the key out",
+                     scene.discretisation.momentum_form)});
+  if (scene.shock.pair_gradient != "plain" && scene.discretisation.method == "sph")
+    found.push_back({"shock.pair_gradient", "corrected gradients belong to the method kernel_gradient_correction"});
+  const std::vector<std::string> known = {"rigid_wall", "pressure", "symmetry_plane", "periodic"};
+  for (const auto& boundary : scene.boundaries)
+    if (std::find(known.begin(), known.end(), boundary.entry.type) == known.end())
+      found.push_back({fmt::format("boundary.{}.type", boundary.name),
+                       fmt::format("hllc keeps no account of the work of {}; it goes with {}", boundary.entry.type,
+                                   fmt::join(known, ", "))});
+  if (scene.domain.strain_state == "uniaxial_stress")
+    found.push_back(
+        {"shock.method", "hllc solves waves in uniaxial strain; use artificial_viscosity or fct for a rod"});
 }
 
 void check_normals(const Scene& scene, Contradictions& found) {
@@ -307,8 +405,12 @@ std::vector<Contradiction> find_contradictions(const Scene& scene) {
   check_method(scene, found);
   check_total_lagrangian(scene, found);
   check_rotations(scene, found);
+  check_hllc(scene, found);
   check_neighbours(scene, found);
   check_speeds(scene, found);
+  check_deviators(scene, found);
+  check_energy(scene, found);
+  check_rings(scene, found);
   if (scene.domain.dimension == 1) check_bodies<1>(scene, found);
   if (scene.domain.dimension == 2) check_bodies<2>(scene, found);
   if (scene.domain.dimension == 3) check_bodies<3>(scene, found);

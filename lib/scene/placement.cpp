@@ -9,6 +9,7 @@
 #include <random>
 
 #include "anvil/core/error.hpp"
+#include "anvil/scene/concentric.hpp"
 
 namespace anvil {
 
@@ -204,6 +205,8 @@ PlacedBody<D> share_cells(const Shape<D>& shape, const Index<D>& cells, double s
 
 template <int D>
 PlacedBody<D> place_body(const BodyDescription& body, double spacing) {
+  if constexpr (D == 2)
+    if (body.lattice == "concentric") return place_concentric(body, spacing);
   const auto shape = make_shape<D>(body.shape);
   const auto cells = count_cells<D>(*shape, spacing);
   PlacedBody<D> placed = body.lattice == "face_lattice" ? share_cells<D>(*shape, cells, spacing)
@@ -216,7 +219,7 @@ PlacedBody<D> place_body(const BodyDescription& body, double spacing) {
   const bool turned = !body.rotation.empty();
   std::mt19937 random(1);  // whose numbers are the same everywhere
   for (Vec<D>& position : placed.positions) {
-    position += shape->centre();
+    position = shape->centre() + shape->turned(position);
     for (int axis = 0; body.jitter > 0.0 && axis < D; ++axis)
       position[axis] += body.jitter * spacing * (static_cast<double>(random()) * 0x1p-31 - 1.0);
     if (turned) position = (rotation * position).eval();

@@ -83,6 +83,8 @@ struct Shock {
   double diffusion;              // eta1 of flux-corrected transport
   double antidiffusion;          // eta2
   std::string limiter;
+  std::string pair_gradient;   // of hllc
+  std::string reconstruction;  // of hllc
   bool operator==(const Shock&) const = default;
 };
 
@@ -110,6 +112,8 @@ struct BodyDescription {
   std::string material;
   std::vector<double> velocity;  // m/s, `dimension` components
   bool hydrostatic;
+  double radial_velocity;                 // m/s, of a ring at its inner radius
+  std::vector<double> deviatoric_stress;  // Pa, packed (XX | XX YY XY | XX YY ZZ XY YZ XZ); empty: none
   bool operator==(const BodyDescription&) const = default;
 };
 

@@ -108,8 +108,9 @@ Section<Shock> shock_section() {
             .kind = ValueKind::choice,
             .standard = "none",
             .help = "artificial_viscosity is that of Monaghan and Gingold (1983); fct is flux-corrected transport of "
-                    "velocity and stress, in 1D; bulk_viscosity is a pressure against the rate of compression",
-            .choices = {"none", "artificial_viscosity", "fct", "bulk_viscosity"}},
+                    "velocity and stress, in 1D; hllc solves a Riemann problem per approaching pair; bulk_viscosity is a "
+                    "pressure against the rate of compression",
+            .choices = {"none", "artificial_viscosity", "fct", "hllc", "bulk_viscosity"}},
            &Shock::method},
           {{.name = "linear_coefficient",
             .standard = 1.0,
@@ -153,6 +154,23 @@ Section<Shock> shock_section() {
                     "printed by Wang (2002)",
             .choices = {"standard", "six_arguments"}},
            &Shock::limiter},
+          {{.name = "pair_gradient",
+            .kind = ValueKind::choice,
+            .standard = "plain",
+            .help =
+                "gradient hllc sums its stress with: plain and symmetrised, the mean of both sides' corrected ones, "
+                "keep momentum and energy to round-off; corrected, the published form, is exact for linear stress "
+                "and keeps neither",
+            .choices = {"plain", "corrected", "symmetrised"}},
+           &Shock::pair_gradient},
+          {{.name = "reconstruction",
+            .kind = ValueKind::choice,
+            .standard = "linear",
+            .help =
+                "states of the Riemann problems of hllc: constant takes those of the particles, as published; linear "
+                "extrapolates them to the middle of the pair with the limiter of van Albada",
+            .choices = {"linear", "constant"}},
+           &Shock::reconstruction},
       }};
 }
 
@@ -216,7 +234,7 @@ Section<BodyDescription> body_section() {
   return {
       "body",
       Occurrence::list,
-      "A piece of one material; its particles start at its velocity, free of stress.",
+      "A piece of one material; its particles start at its velocity and without pressure.",
       {
           {{.name = "name", .kind = ValueKind::name, .help = "name of the body, once in the scene"},
            &BodyDescription::name},
@@ -228,8 +246,9 @@ Section<BodyDescription> body_section() {
             .help =
                 "arrangement of the particles: cubic (a square one in 2D, a line in 1D) fills the shape with cells, "
                 "so the outermost particles lie half a spacing inside its faces; face_lattice puts them on the "
-                "corners of the cells, so the outermost lie on the faces with half of a volume",
-            .choices = {"cubic", "face_lattice"}},
+                "corners of the cells, so the outermost lie on the faces with half of a volume; concentric fills a ring "
+                "with layers",
+            .choices = {"cubic", "face_lattice", "concentric"}},
            &BodyDescription::lattice},
           {{.name = "rotation",
             .kind = ValueKind::numbers,
@@ -260,6 +279,19 @@ Section<BodyDescription> body_section() {
             .help = "whether the body starts under the pressure of its own weight, that of its depth below its highest "
                     "point, instead of feeling domain.gravity all at once"},
            &BodyDescription::hydrostatic},
+          {{.name = "radial_velocity",
+            .unit = "m/s",
+            .standard = 0.0,
+            .help = "of a ring, added to its velocity: outward speed at the inner radius, falling with 1/r so that "
+                    "areas are kept"},
+           &BodyDescription::radial_velocity},
+          {{.name = "deviatoric_stress",
+            .kind = ValueKind::numbers,
+            .unit = "Pa",
+            .standard = std::vector<double>{},
+            .help = "stress deviator at the start, tension positive: XX in 1D; XX, YY, XY in 2D; XX, YY, ZZ, XY, YZ, "
+                    "XZ in 3D; empty: none"},
+           &BodyDescription::deviatoric_stress},
       }};
 }
 

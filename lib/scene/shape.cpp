@@ -78,29 +78,50 @@ class Cylinder final : public Shape<3> {
   Vec<3> centre_;
 };
 
-/// The region between two circles; with an inner radius of zero a disc.
+/// The region between two circles, or the half of it above their centre, or the quarter above and to the right; with an
+/// inner radius of zero a disc.
 class Ring final : public Shape<2> {
  public:
   explicit Ring(const Parameters& keys)
-      : centre_(to_vector<2>(keys.numbers("centre"))),
+      : middle_(to_vector<2>(keys.numbers("centre"))),
         inner_(keys.number("inner_radius")),
-        outer_(keys.number("outer_radius")) {
+        outer_(keys.number("outer_radius")),
+        turn_(keys.number("angle")),
+        half_(keys.text("sector") != "full"),
+        quarter_(keys.text("sector") == "quarter") {
     if (!(outer_ > inner_)) throw InputError("outer_radius must be larger than inner_radius");
+    if (half_ && turn_ != 0.0) throw InputError("only a full ring can be turned by an angle");
+    begin_ = {quarter_ ? 0.0 : -outer_, half_ ? 0.0 : -outer_};
   }
-  [[nodiscard]] Vec<2> centre() const override { return centre_; }
-  [[nodiscard]] Vec<2> size() const override { return Vec<2>::Constant(2.0 * outer_); }
+  [[nodiscard]] Vec<2> centre() const override { return middle_ + 0.5 * (begin_ + Vec<2>::Constant(outer_)); }
+  [[nodiscard]] Vec<2> size() const override { return Vec<2>::Constant(outer_) - begin_; }
   [[nodiscard]] bool ends_in_planes(int) const override { return false; }
   [[nodiscard]] bool contains(const Vec<2>& offset) const override {
-    const double distance = offset.norm();
-    return distance >= inner_ && distance <= outer_;
+    const Vec<2> arm = offset + (centre() - middle_);
+    if ((half_ && arm[1] < 0.0) || (quarter_ && arm[0] < 0.0)) return false;
+    return arm.norm() >= inner_ && arm.norm() <= outer_;
   }
-  [[nodiscard]] double volume() const override { return pi * (outer_ - inner_) * (outer_ + inner_); }
-  [[nodiscard]] double reach(const Vec<2>& direction) const override { return outer_ * direction.norm(); }
+  [[nodiscard]] Vec<2> turned(const Vec<2>& offset) const override {
+    if (turn_ == 0.0) return offset;
+    const double cosine = std::cos(turn_), sine = std::sin(turn_);
+    return {cosine * offset[0] - sine * offset[1], sine * offset[0] + cosine * offset[1]};
+  }
+  [[nodiscard]] double volume() const override {
+    return pi * (outer_ - inner_) * (outer_ + inner_) * (quarter_ ? 0.25 : (half_ ? 0.5 : 1.0));
+  }
+  /// A sector reaches no further than the box around it.
+  [[nodiscard]] double reach(const Vec<2>& direction) const override {
+    if (!half_) return outer_ * direction.norm();
+    return 0.5 * direction.cwiseAbs().dot(size());
+  }
 
  private:
-  Vec<2> centre_;
+  Vec<2> middle_;
   double inner_;
   double outer_;
+  double turn_;  // rad
+  bool half_, quarter_;
+  Vec<2> begin_;  // lowest corner of the box around it, from the middle
 };
 
 /// The inside of a closed path; what its boundary holds belongs to it up to rounding.
@@ -222,7 +243,16 @@ const std::vector<ShapeRow>& shape_rows() {
                 .summary = "The region between two circles, a disc when the inner radius is zero",
                 .keys = {origin("centre", "centre of the circles"),
                          length("inner_radius", "radius of the hole", Range::not_negative),
-                         length("outer_radius", "radius of the outside")},
+                         length("outer_radius", "radius of the outside"),
+                         {.name = "sector",
+                          .kind = ValueKind::choice,
+                          .standard = "full",
+                          .help = "part of the ring: half is the one with y above the centre, quarter the one with x "
+                                  "above it too; set symmetry planes at the cuts",
+                          .choices = {"full", "half", "quarter"}},
+                         {.name = "angle",
+                          .standard = 0.0,
+                          .help = "in radians, by which the particles of a full ring are turned about its centre"}},
                 .dimensions = {2}},
        .make_2d = [](const Parameters& keys) -> std::unique_ptr<Shape<2>> { return std::make_unique<Ring>(keys); }},
   };

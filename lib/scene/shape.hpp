@@ -30,6 +30,8 @@ class Shape {
   [[nodiscard]] virtual bool ends_in_planes(int axis) const = 0;
   /// Whether centre() + offset lies in the shape.
   [[nodiscard]] virtual bool contains(const Vec<D>& offset) const = 0;
+  /// Where a particle at centre() + offset stands after the turn that the shape asks for, about its own axis.
+  [[nodiscard]] virtual Vec<D> turned(const Vec<D>& offset) const { return offset; }
   /// Exact volume in m^D.
   [[nodiscard]] virtual double volume() const = 0;
   /// Largest offset . direction over the shape.

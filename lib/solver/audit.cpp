@@ -44,6 +44,21 @@ double Solver<D>::energy_stored_by_walls() const {
   return energy;
 }
 
+/// All that is not motion, where the scene keeps it; else zero.
+template <int D>
+double Solver<D>::internal_energy() const {
+  const std::span<double> energies = kick_energy_.empty() ? specific_energy_ : kick_energy_;
+  double energy = 0.0;
+  for (std::size_t i = 0; i < energies.size(); ++i) energy += mass_[i] * energies[i];
+  return energy;
+}
+
+/// What the ledger does not count.
+template <int D>
+double Solver<D>::stored_energy() const {
+  return specific_energy_.empty() ? elastic_energy() : internal_energy();
+}
+
 template <int D>
 Vec<D> Solver<D>::momentum() const {
   Vec<D> sum = Vec<D>::Zero();
@@ -80,9 +95,10 @@ std::vector<AuditValue> Solver<D>::audit() const {
     centre += mass_[i] * position_[i];
   }
   const double kinetic = kinetic_energy(), elastic = elastic_energy();
-  const double stored_by_walls = energy_stored_by_walls();
-  const double total = kinetic + elastic + stored_by_walls - ledger_.gravity_work + ledger_.plastic_work +
-                       ledger_.viscous_loss + ledger_.smoothing_loss + ledger_.wall_loss + ledger_.contact_loss;
+  double total = kinetic + energy_stored_by_walls() - ledger_.gravity_work + ledger_.smoothing_loss +
+                 ledger_.wall_loss + ledger_.contact_loss;
+  // Plastic work and viscous heat are part of the internal energy where there is one.
+  total += specific_energy_.empty() ? elastic + ledger_.plastic_work + ledger_.viscous_loss : internal_energy();
   const Vec<D> present = momentum();
   const Vec<D> unexplained = present - ledger_.start_momentum - ledger_.wall_impulse - ledger_.smoothing_impulse -
                              ledger_.pressure_impulse - ledger_.gravity_impulse;
@@ -92,6 +108,7 @@ std::vector<AuditValue> Solver<D>::audit() const {
   add_vector<D>(row, "momentum", "N s", present);
   add_vector<D>(row, "centre_of_mass", "m", mass > 0.0 ? Vec<D>(centre / mass) : centre);
   row.push_back({"kinetic_energy", "J", kinetic});
+  if (!specific_energy_.empty()) row.push_back({"internal_energy", "J", internal_energy()});
   row.push_back({"elastic_energy", "J", elastic});
   const bool falls = !recipe_.gravity.isZero(0.0);
   if (falls) row.push_back({"potential_energy", "J", -ledger_.gravity_work});
@@ -113,7 +130,7 @@ std::vector<AuditValue> Solver<D>::audit() const {
   }
   if (falls) add_vector<D>(row, "gravity_impulse", "N s", ledger_.gravity_impulse);
   if (!walls_.empty()) {
-    row.push_back({"wall_stored_energy", "J", stored_by_walls});
+    row.push_back({"wall_stored_energy", "J", energy_stored_by_walls()});
     row.push_back({"wall_work", "J", ledger_.wall_work});
   }
   if (!walls_.empty() || !recipe_.mirror_walls.empty()) row.push_back({"penetrations", "", ledger_.penetrations});
@@ -128,6 +145,7 @@ std::vector<AuditValue> Solver<D>::audit() const {
   template double Solver<D>::kinetic_energy() const;         \
   template double Solver<D>::elastic_energy() const;         \
   template double Solver<D>::energy_stored_by_walls() const; \
+  template double Solver<D>::stored_energy() const;          \
   template Vec<D> Solver<D>::momentum() const;               \
   template std::vector<AuditValue> Solver<D>::audit() const
 ANVIL_INSTANTIATE(1);

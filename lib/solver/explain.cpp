@@ -68,6 +68,9 @@ Explanation Solver<D>::explain() const {
     add_record("edge stress points", static_cast<int>(std::lround(recipe_.edges->doubles_per_particle())),
                "ends, directions, stresses and histories of the edges");
   if (medium_needed_) add_record("medium record", 4, "sound speed, density and mass, packed for the pair loops");
+  if (recipe_.force_needs.slope) add_record("slope record", SlopeField<D>::size, "slopes towards neighbours, packed");
+  if (recipe_.force_needs.response)
+    add_record("response record", 8, "wave speeds and yield, packed for the pair loops");
 
   explanation.particles = particle_count();
   for (const auto& field : explanation.fields) explanation.bytes_per_particle += field.bytes_per_particle;

@@ -80,10 +80,12 @@ Frame Solver<D>::frame() const {
   }
   frame.arrays = {std::move(id),      std::move(body),     std::move(initial), std::move(velocity),
                   std::move(density), std::move(pressure), std::move(stress),  std::move(smoothing_length)};
-  if (auto plastic_strains = values_of(field::plastic_strain); !plastic_strains.empty()) {
-    FrameArray plastic_strain = array_of(field::plastic_strain, 1, particles);
-    plastic_strain.values = std::move(plastic_strains);
-    frame.arrays.push_back(std::move(plastic_strain));
+  for (const FieldKey* key : {&field::plastic_strain, &field::specific_energy}) {
+    std::vector<double> values = values_of(*key);
+    if (values.empty()) continue;
+    FrameArray array = array_of(*key, 1, particles);
+    array.values = std::move(values);
+    frame.arrays.push_back(std::move(array));
   }
   const auto& omitted = scene_.output.omit;
   std::erase_if(frame.arrays, [&](const FrameArray& array) { return is_listed(omitted, array.name); });

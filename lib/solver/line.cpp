@@ -26,8 +26,13 @@ template <int D>
 void Solver<D>::kick_loaded_faces() {
   if constexpr (D == 1) {
     if (recipe_.face_ghosts) return;  // the load acted through the images
-    for (std::size_t k = 0; k < load_steps_.size(); ++k)
-      velocity_[recipe_.loads[k].particle][0] += load_steps_[k].impulse / mass_[recipe_.loads[k].particle];
+    for (std::size_t k = 0; k < load_steps_.size(); ++k) {
+      const std::size_t i = recipe_.loads[k].particle;
+      const Vec<D> pair_change = velocity_[i] - Vec<D>(load_steps_[k].velocity_before);
+      const Vec<D> change(load_steps_[k].impulse / mass_[i]);
+      velocity_[i] += change;
+      charge_pairs(i, pair_change, change);
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include "anvil/scene/placement.hpp"
 #include "anvil/scene/shape.hpp"
 #include "anvil/terms/conservative_smoothing.hpp"
+#include "anvil/terms/hllc.hpp"
 #include "anvil/terms/laminar_viscosity.hpp"
 #include "anvil/terms/momentum.hpp"
 #include "anvil/terms/nominal_momentum.hpp"
@@ -85,6 +86,12 @@ MomentumForm momentum_form_of(const Scene& scene) {
   return form == "density_squared" ? MomentumForm::density_squared : MomentumForm::sum;
 }
 
+/// Sums with corrected gradients see a full neighbourhood at the ends of a line only with images behind them.
+bool corrects_forces(const Scene& scene) {
+  if (scene.shock.method == "hllc") return scene.shock.pair_gradient == "corrected";
+  return momentum_form_of(scene) == MomentumForm::difference;
+}
+
 template <int D>
 void add_forces(const Scene& scene, FieldStore& fields, Recipe<D>& recipe) {
   const MomentumForm form = momentum_form_of(scene);
@@ -97,6 +104,15 @@ void add_forces(const Scene& scene, FieldStore& fields, Recipe<D>& recipe) {
     return;
   }
   recipe.corrected_gradients = scene.discretisation.method != "sph";
+  if (scene.shock.method == "hllc") {
+    typename Hllc<D>::Strengths strengths;
+    for (const auto& body : recipe.bodies) strengths.push_back({body.range, body.strength.get()});
+    HllcChoices choices{.gradient = PairGradient::plain, .reconstructs = scene.shock.reconstruction == "linear"};
+    if (scene.shock.pair_gradient == "corrected") choices.gradient = PairGradient::corrected;
+    if (scene.shock.pair_gradient == "symmetrised") choices.gradient = PairGradient::symmetrised;
+    recipe.forces.push_back(std::make_unique<Hllc<D>>(fields, std::move(strengths), choices));
+    return;
+  }
   recipe.forces.push_back(std::make_unique<Momentum<D>>(fields, form));
   if (scene.shock.method == "artificial_viscosity") {
     const ViscosityCoefficients coefficients{.linear = scene.shock.linear_coefficient,
@@ -145,8 +161,7 @@ void add_line_terms(const Scene& scene, const std::vector<ParticleRange>& ranges
     if (boundary.entry.type == "pressure")
       recipe.loads.push_back(make_load(scene, boundary, ranges, fields.scalar(field::position)));
   const auto order = line_order(fields.scalar(field::position));
-  if (momentum_form_of(scene) == MomentumForm::difference)
-    recipe.face_ghosts = std::make_unique<FaceGhosts>(fields, order, recipe.support);
+  if (corrects_forces(scene)) recipe.face_ghosts = std::make_unique<FaceGhosts>(fields, order, recipe.support);
   if (scene.shock.method != "fct") return;
   TransportCoefficients coefficients{.diffusion = scene.shock.diffusion, .antidiffusion = scene.shock.antidiffusion};
   if (scene.shock.limiter == "six_arguments") coefficients.limiter = FluxLimiter::six_arguments;
@@ -212,6 +227,29 @@ void add_walls(const Scene& scene, const Walls<D>& walls, FieldStore& fields, Re
   add_wall_forces<D>(scene, walls, stiffest, fastest, fields, recipe);
 }
 
+/// u = U r_inner / r along the radius, which keeps areas.
+template <int D>
+Vec<D> radial_velocity(const BodyDescription& body, const Vec<D>& position) {
+  if (body.radial_velocity == 0.0) return Vec<D>::Zero();
+  const Parameters& ring = body.shape.parameters;
+  const Vec<D> arm = position - vector_of<D>(ring.numbers("centre"));
+  return body.radial_velocity * ring.number("inner_radius") / arm.squaredNorm() * arm;
+}
+
+bool keeps_energy(const Scene& scene) {
+  return scene.shock.method == "hllc" ||
+         std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const auto& material) { return uses_energy(make_eos(material.eos, material.density)); });
+}
+
+template <int D>
+void set_deviator(const BodyDescription& body, ParticleRange range, FieldStore& fields) {
+  if (body.deviatoric_stress.empty()) return;
+  const auto stored = fields.vector<symmetric_components<D>>(field::deviatoric_stress);
+  for (std::size_t i = range.first(); i < range.last(); ++i)
+    stored[i] = Vec<symmetric_components<D>>(body.deviatoric_stress.data());
+}
+
 template <class Terms>
 PairNeeds needs_of(const Terms& terms) {
   PairNeeds needs;
@@ -220,6 +258,8 @@ PairNeeds needs_of(const Terms& terms) {
     needs.plain_gradient |= term->needs().plain_gradient;
     needs.value |= term->needs().value;
     needs.medium |= term->needs().medium;
+    needs.response |= term->needs().response;
+    needs.slope |= term->needs().slope;
   }
   return needs;
 }
@@ -250,7 +290,7 @@ FieldStore place_particles(const Scene& scene, std::vector<ParticleRange>& range
       const std::size_t local = i - ranges[b].first();
       fields.vector<D>(field::position)[i] = placed[b].positions[local];
       fields.vector<D>(field::initial_position)[i] = placed[b].positions[local];
-      fields.vector<D>(field::velocity)[i] = velocity;
+      fields.vector<D>(field::velocity)[i] = velocity + radial_velocity<D>(scene.bodies[b], placed[b].positions[local]);
       fields.scalar(field::density)[i] = density;
       if (scene.bodies[b].hydrostatic) fields.scalar(field::density)[i] = weighed_down(placed[b].positions[local]);
       fields.scalar(field::mass)[i] = fields.scalar(field::density)[i] * placed[b].volumes[local];
@@ -279,6 +319,7 @@ Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& rang
   recipe.support = std::visit([](const auto& kernel) { return kernel.support; }, recipe.kernel);
   recipe.variable_smoothing_length =
       scene.discretisation.variable_smoothing_length && scene.discretisation.method != "total_lagrangian";
+  if (keeps_energy(scene)) fields.require(field::specific_energy);
   std::unique_ptr<EdgePoints<D>> edges;
   add_boundaries(scene, recipe);
   if (scene.discretisation.method == "total_lagrangian") recipe.deformation = std::make_unique<Deformation<D>>(fields);
@@ -297,8 +338,9 @@ Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& rang
                              .eos = make_eos_update<D>(eos, fields),
                              .lateral_release = nullptr,
                              .face_distance =
-                                 scene.bodies[b].lattice == "cubic" ? 0.5 * scene.discretisation.spacing : 0.0,
+                                 scene.bodies[b].lattice == "face_lattice" ? 0.0 : 0.5 * scene.discretisation.spacing,
                              .viscosity = material.viscosity});
+    set_deviator<D>(scene.bodies[b], ranges[b], fields);
     if (scene.domain.strain_state == "uniaxial_stress")
       recipe.bodies.back().lateral_release = make_lateral_release(strength, eos, fields);
   }

@@ -42,6 +42,10 @@ Solver<D>::Solver(const Scene& scene)
     fields_.require(field::listed_smoothing_length);
     listed_smoothing_length_ = fields_.scalar(field::listed_smoothing_length);
   }
+  if (fields_.has(field::specific_energy)) specific_energy_ = fields_.scalar(field::specific_energy);
+  if (fields_.has(field::kick_energy)) kick_energy_ = fields_.scalar(field::kick_energy);
+  for (auto& field : fields_.fields())
+    if (field.key->name == field::gradient_correction.name) correction_ = field.values;
   velocities_filtered_ = !recipe_.filters.empty() || recipe_.transport != nullptr;
   load_steps_.resize(recipe_.loads.size());
   face_stress_.resize(recipe_.loads.size());
@@ -51,15 +55,18 @@ Solver<D>::Solver(const Scene& scene)
     start_velocity_ = fields_.vector<D>(field::start_velocity);
   }
   make_tiles();
-  records_.resize(particle_count(), medium_needed_, recipe_.deformation != nullptr);
+  PairNeeds needs = recipe_.force_needs;
+  needs.medium = medium_needed_;
+  records_.resize(particle_count(), needs);
   make_wall_tiles();
   if (recipe_.deformation)
     freeze_pairs();
   else
     list_neighbours();
+  find_corrections();
   strain(0.0);
   first_step_limit_ = step_limit_;
-  ledger_.start_energy = kinetic_energy() + elastic_energy() + energy_stored_by_walls();
+  ledger_.start_energy = kinetic_energy() + stored_energy() + energy_stored_by_walls();
   ledger_.start_momentum = momentum();
 }
 
@@ -125,8 +132,22 @@ PairTile<D> Solver<D>::open_tile(const Tile& tile, Scratch& scratch, PairNeeds n
     kernel_loops_.gradients(pairs, records_);
   else if (needs.value)
     kernel_loops_.values(pairs, records_);
+  if (correct && !correction_.empty()) pairs.correction = &correction_[tile.range.first() * symmetric_components<D>];
   if (correct) pairs.uncorrected = loops_.correct_gradients(pairs, records_);
   return pairs;
+}
+
+/// Before the first step, which has no gradients of the last one.
+template <int D>
+void Solver<D>::find_corrections() {
+  if (correction_.empty()) return;
+  for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) {
+    pack_geometry(tile.range);
+    pack_motion(tile.range);
+  });
+  fill_image_places();
+  for_each_tile(
+      [&](const Tile& tile, Scratch& scratch, TileReport<D>&) { (void)open_tile(tile, scratch, {.gradient = true}); });
 }
 
 template <int D>
@@ -236,6 +257,7 @@ void Solver<D>::fill_image_states() {
   else
     recipe_.images.fill_traction(records_, records_.first_image());
   if (medium_needed_) recipe_.images.fill_medium(records_, records_.first_image());
+  recipe_.images.fill_responses(records_, records_.first_image());
 }
 
 std::unique_ptr<Simulation> make_simulation(const Scene& scene) {

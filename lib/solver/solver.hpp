@@ -129,6 +129,8 @@ class Solver final : public Simulation {
   void respond_tile(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
   void diffuse_density(const Tile& tile, const PairTile<D>& pairs, Scratch& scratch, double time_step,
                        TileReport<D>& report);
+  void exchange_energy(const Tile& tile, const Scratch& scratch, double kick);
+  void charge_pairs(std::size_t i, const Vec<D>& pair_change, const Vec<D>& change);
   void update_density(ParticleRange range, const double* velocity_gradient, const double* lateral_rate,
                       double time_step);
   void pack_limit_and_check(const Tile& tile, Scratch& scratch, TileReport<D>& report);
@@ -164,6 +166,7 @@ class Solver final : public Simulation {
   void interpolate(const PairTile<D>& pairs, const DummyRows<D>& wall, std::size_t dummy);
   double stress_power(std::size_t particle, const double* gradient) const;
   void count_penetrations(double time_step);
+  void find_corrections();
 
   // guards.cpp
   void check_reports() const;
@@ -173,6 +176,8 @@ class Solver final : public Simulation {
   double kinetic_energy() const;
   double elastic_energy() const;
   double energy_stored_by_walls() const;
+  double internal_energy() const;
+  double stored_energy() const;
   Vec<D> momentum() const;
   double minimum_pair_distance() const;
 
@@ -204,6 +209,9 @@ class Solver final : public Simulation {
   VectorView<D> start_velocity_;  // only where velocities are filtered
   std::span<double> mass_, density_, smoothing_length_, pressure_;
   std::span<double> listed_smoothing_length_;  // empty while h is constant
+  // Where an equation of state reads the energy or pairs exchange it; the latter keep it at the time of the velocities.
+  std::span<double> specific_energy_, kick_energy_;
+  std::span<double> correction_;  // of gradients, where a term reads those of both sides
 
   struct LoadStep {                // of one load in the present step
     double impulse = 0.0;          // N s, towards the body

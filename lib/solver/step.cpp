@@ -97,6 +97,8 @@ void Solver<D>::accelerate_tile(const Tile& tile, Scratch& scratch, double kick,
     velocity_[i] += fall;
     report.viscous_loss += kick * mass_[i] * scratch.loss[local];
   }
+  if (!kick_energy_.empty()) report.viscous_loss = 0.0;  // the term's account is that of the whole pair
+  if (!specific_energy_.empty()) exchange_energy(tile, scratch, kick);
   if (!recipe_.images.reflect()) return;
   report.force_impulse.setZero();
   for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i, acceleration += D)
@@ -135,6 +137,7 @@ void Solver<D>::filter_tile(const Tile& tile, const VelocityFilter<D>& filter, S
   report.smoothing_impulse = Vec<D>::Zero();
   for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i, change += D) {
     const Eigen::Map<const Vec<D>> step(change);
+    charge_pairs(i, velocity_[i] - start_velocity_[i], step);
     velocity_[i] += step;
     report.smoothing_loss -= 0.5 * mass_[i] * step.dot(start_velocity_[i] + velocity_[i]);
     report.smoothing_impulse += mass_[i] * step;
@@ -194,6 +197,7 @@ void Solver<D>::apply_boundaries(const Tile& tile, Scratch& scratch, double time
       twice_mean += recorded;
     else
       twice_mean += start_velocity_[i] + (incoming - recorded);  // the filter's mean lacked this impulse
+    charge_pairs(i, velocities_filtered_ ? Vec<D>(recorded - start_velocity_[i]) : Vec<D>(incoming - recorded), change);
     report.wall_loss -= 0.5 * mass_[i] * change.dot(twice_mean);
     report.wall_impulse += mass_[i] * change;
   }
@@ -326,6 +330,7 @@ void Solver<D>::find_velocity_gradients(const Tile& tile, Scratch& scratch, doub
   const PairTile<D> pairs = open_tile(tile, scratch, {.gradient = true, .plain_gradient = diffuses});
   report.uncorrected = pairs.uncorrected;
   loops_.velocity_gradient(pairs, records_, scratch.per_particle.data());
+  for (const auto& force : recipe_.forces) force->refine_gradients(tile.range, scratch.per_particle.data());
   if (recipe_.holds_particles) stop_straining_held(tile, scratch.per_particle.data());
   take_to_mid_step<D>(scratch.per_particle.data(), tile.range.count(), time_step);
   if (diffuses) diffuse_density(tile, pairs, scratch, time_step, report);
@@ -340,8 +345,13 @@ void Solver<D>::deform_tile(const Tile& tile, const double* velocity_gradient, S
     body.lateral_release->find_rates(tile.range, velocity_gradient, time_step, scratch.lateral_rate.data());
     lateral_rate = scratch.lateral_rate.data();
   }
+  if (!kick_energy_.empty())
+    std::copy_n(&kick_energy_[tile.range.first()], tile.range.count(), &specific_energy_[tile.range.first()]);
+  else if (!specific_energy_.empty())
+    body.eos->add_work_before(tile.range, velocity_gradient, time_step);
   update_density(tile.range, velocity_gradient, lateral_rate, time_step);
   report.plastic_work = body.strength->update(tile.range, velocity_gradient, lateral_rate, time_step);
+  if (!specific_energy_.empty()) body.eos->add_work_after(tile.range, velocity_gradient, time_step);
 }
 
 /// The compression that diffusion brings is no work of the motion: its energy p/rho^2 drho is booked as the filter's.
@@ -372,8 +382,8 @@ void Solver<D>::respond_tile(const Tile& tile, Scratch& scratch, double time_ste
   if (recipe_.bulk_viscosity && time_step > 0.0)
     report.bulk_viscous_loss = recipe_.bulk_viscosity->update(tile.range, scratch.per_particle.data(),
                                                               scratch.sound_speed.data(), time_step);
-  for (const auto& force : recipe_.forces) force->pack(tile.range, records_);
   pack_limit_and_check(tile, scratch, report);
+  for (const auto& force : recipe_.forces) force->pack(tile.range, records_);
 }
 
 /// drho/dt = -rho div v and dh/dt = (h/d) div v over one step, by the midpoint rule. The smoothing length belongs to

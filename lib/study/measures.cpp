@@ -7,7 +7,9 @@
 #include <limits>
 
 #include "anvil/kernels/lattice_sum.hpp"
+#include "anvil/measures/shell.hpp"
 #include "anvil/measures/wave_comparison.hpp"
+#include "anvil/study/contact.hpp"
 #include "anvil/study/flow_measures.hpp"
 #include "anvil/study/wave_speed.hpp"
 
@@ -44,6 +46,8 @@ double reference_error(const StudySample& sample, std::string_view) {
   return exact.relative_error(sample.number) * sum / points / peak;
 }
 
+Shell shell_of(const StudySample& sample) { return {sample.frames[sample.number], shell_shape(sample.scene)}; }
+
 constexpr std::array measure_table = {
     StudyMeasure{"lattice_factor", "", lattice_factor},
     StudyMeasure{"elastic_speed_ratio", "", elastic_speed_ratio},
@@ -68,6 +72,14 @@ constexpr std::array measure_table = {
     StudyMeasure{"energy_growth", "", energy_growth},
     StudyMeasure{"poiseuille_error", "", poiseuille_error},
     StudyMeasure{"step_cost", "us", step_cost},
+    StudyMeasure{"contact_pressure_oscillation", "Pa", contact_oscillation},
+    StudyMeasure{"contact_deviator_oscillation", "Pa", contact_oscillation},
+    StudyMeasure{"shell_inner_radius", "m",
+                 [](const StudySample& sample, std::string_view) { return shell_of(sample).inner_radius(); }},
+    StudyMeasure{"shell_outer_radius", "m",
+                 [](const StudySample& sample, std::string_view) { return shell_of(sample).outer_radius(); }},
+    StudyMeasure{"shell_circularity", "",
+                 [](const StudySample& sample, std::string_view) { return shell_of(sample).circularity(); }},
 };
 
 }  // namespace

@@ -28,6 +28,9 @@ class ForceTerm {
   /// which the term turns motion into heat).
   virtual void accumulate(const PairTile<D>& tile, const PairRecords<D>& records, double* acceleration,
                           double* loss) const = 0;
+  /// Adds to the velocity gradients of the range (D x D per particle of it, 1/s) what the term's pairs know beyond the
+  /// mean of their velocities.
+  virtual void refine_gradients(ParticleRange /*range*/, double* /*velocity_gradient*/) const {}
 };
 
 }  // namespace anvil

@@ -31,7 +31,7 @@ class NominalMomentum final : public ForceTerm<D> {
   [[nodiscard]] std::string_view purpose() const override {
     return "acceleration by nominal stress, V_i V_j (P_i + P_j) in the reference configuration";
   }
-  [[nodiscard]] PairNeeds needs() const override { return {.plain_gradient = true}; }
+  [[nodiscard]] PairNeeds needs() const override { return {.plain_gradient = true, .nominal = true}; }
 
   void pack(ParticleRange range, PairRecords<D>& records) const override {
     for (std::size_t i = range.first(); i < range.last(); ++i) {

@@ -15,7 +15,8 @@ namespace anvil {
 /// longitudinal speed squared is that plus 4 G / (3 rho).
 ///
 /// A law whose pressure depends on density alone also offers `double cold_energy(double density)`, the energy stored by
-/// compression from the reference density in J/kg, of which p / rho^2 is the derivative.
+/// compression from the reference density in J/kg, of which p / rho^2 is the derivative. One that reads the energy
+/// offers `double energy_derivative(double density, double energy)`, dp/de at constant density in kg/m3.
 template <class E>
 concept EquationOfState = std::constructible_from<E, const Parameters&, double> &&
     requires(const E& law, double density, double energy) {
@@ -28,6 +29,11 @@ concept EquationOfState = std::constructible_from<E, const Parameters&, double> 
 template <class E>
 concept HasColdEnergy = requires(const E& law, double density) {
   { law.cold_energy(density) } -> std::same_as<double>;
+};
+
+template <class E>
+concept HasEnergyDerivative = requires(const E& law, double density, double energy) {
+  { law.energy_derivative(density, energy) } -> std::same_as<double>;
 };
 
 }  // namespace anvil

@@ -19,7 +19,7 @@ struct LoadedLine {
     }
     cloud.list.build(cloud.position(), cloud.fields.scalar(field::smoothing_length), cloud.support(), skin,
                      pair_loops<1>());
-    cloud.records.resize(cloud.count, true);
+    cloud.records.resize(cloud.count, {.medium = true});
     cloud.pack();
     std::vector<std::int32_t> order(cloud.count);
     std::iota(order.begin(), order.end(), 0);

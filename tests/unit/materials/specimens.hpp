@@ -13,8 +13,9 @@
 
 namespace anvil::testing_support {
 
-/// Parameters that make sense for any law, from the table of its keys: moduli of a metal, other stresses of 200 MPa,
-/// pure numbers of 3, fractions of 0.4; the defaults where there are some, unless `replace_defaults`.
+/// Parameters that make sense for any law, from the table of its keys: moduli and sound speed of a metal, other
+/// stresses of 200 MPa, pure numbers of 3, fractions of 0.4; the defaults where there are some, unless
+/// `replace_defaults`.
 inline Parameters specimen(const EntryKind& kind, bool replace_defaults) {
   Parameters parameters;
   for (const Key& key : kind.keys) {
@@ -25,6 +26,8 @@ inline Parameters specimen(const EntryKind& kind, bool replace_defaults) {
     } else if (key.unit == "Pa") {
       const bool elastic_modulus = key.name == "shear_modulus" || key.name == "bulk_modulus";
       parameters.set(std::string(key.name), elastic_modulus ? 50e9 : 200e6);
+    } else if (key.unit == "m/s") {
+      parameters.set(std::string(key.name), 4000.0);
     } else {
       parameters.set(std::string(key.name), key.range == Range::fraction ? 0.4 : 3.0);
     }

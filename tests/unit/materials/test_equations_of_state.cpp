@@ -45,6 +45,19 @@ TYPED_TEST(EveryEquationOfState, SoundSpeedIsTheSlopeOfTheIsentrope) {
   }
 }
 
+TYPED_TEST(EveryEquationOfState, EnergyDerivativeIsTheSlopeAtConstantDensity) {
+  if constexpr (HasEnergyDerivative<TypeParam>) {
+    for (const double compression : {0.95, 1.0, 1.2}) {
+      const double density = compression * reference_density;
+      const double slope =
+          (this->law_.pressure(density, 1.5e5) - this->law_.pressure(density, 0.5e5)) / 1e5;  // laws linear in energy
+      EXPECT_NEAR(this->law_.energy_derivative(density, 1e5), slope, 1e-9 * slope) << "rho / rho0 = " << compression;
+    }
+  } else {
+    EXPECT_FALSE(TypeParam::uses_energy) << "the energy equation needs the derivative";
+  }
+}
+
 TYPED_TEST(EveryEquationOfState, ColdEnergyIsTheWorkOfCompression) {
   if constexpr (HasColdEnergy<TypeParam>) {
     EXPECT_EQ(this->law_.cold_energy(reference_density), 0.0);
@@ -93,6 +106,28 @@ TEST(LinearEos, HasThePressureAndStoredEnergyOfItsFormula) {
   // A small strain stores K e^2 / 2 per volume; the next term of the series is smaller by the strain.
   const double strain = 1e-6;
   EXPECT_NEAR(8930.0 * copper.cold_energy(8930.0 * (1.0 + strain)), 0.5 * 130e9 * strain * strain, 0.5 * 130e9 * 2e-18);
+}
+
+TEST(StiffenedGas, HasThePressureOfItsFormula) {
+  Parameters parameters;
+  parameters.set("sound_speed", 5380.0);
+  parameters.set("gamma", 2.67);
+  const StiffenedGas aluminium(parameters, 2700.0);
+  EXPECT_NEAR(aluminium.pressure(2800.0, 1e5), 5380.0 * 5380.0 * 100.0 + 1.67 * 2800.0 * 1e5, 1e-3);
+}
+
+/// On the Hugoniot of particle speed u the shock runs at a0 + s u: pressure rho0 U u, energy u^2 / 2.
+TEST(MieGrueneisen, HasItsHugoniot) {
+  Parameters parameters;
+  parameters.set("sound_speed", 5328.0);
+  parameters.set("slope", 1.338);
+  parameters.set("grueneisen", 2.0);
+  const MieGrueneisen aluminium(parameters, 2785.0);
+  for (const double u : {10.0, 400.0, 1500.0}) {
+    const double shock_speed = 5328.0 + 1.338 * u, density = 2785.0 * shock_speed / (shock_speed - u);
+    const double pressure = 2785.0 * shock_speed * u;
+    EXPECT_NEAR(aluminium.pressure(density, 0.5 * u * u), pressure, 1e-9 * pressure);
+  }
 }
 
 }  // namespace

@@ -57,6 +57,20 @@ struct ScalarPair {
   double h, value;
 };
 
+/// The D x D matrix of packed components XX | XX YY XY | XX YY ZZ XY YZ XZ.
+template <int D>
+Mat<D> symmetric_matrix(const double* packed) {
+  Mat<D> full = Mat<D>::Zero();
+  for (int a = 0; a < D; ++a) full(a, a) = packed[a];
+  if constexpr (D == 2) full(0, 1) = full(1, 0) = packed[2];
+  if constexpr (D == 3) {
+    full(0, 1) = full(1, 0) = packed[3];
+    full(1, 2) = full(2, 1) = packed[4];
+    full(0, 2) = full(2, 0) = packed[5];
+  }
+  return full;
+}
+
 /// Particles with unlike smoothing lengths, masses, densities, velocities and stresses, their neighbour list, and what
 /// a pair loop is called with.
 template <int D>
@@ -93,16 +107,7 @@ struct Cloud {
 
   /// The stress of a particle as a D x D matrix.
   [[nodiscard]] Mat<D> stress(std::size_t i) {
-    const double* s = deviator(i);
-    Mat<D> full = -scalar(field::pressure, i) * Mat<D>::Identity();
-    for (int a = 0; a < D; ++a) full(a, a) += s[a];
-    if constexpr (D == 2) full(0, 1) = full(1, 0) = s[2];
-    if constexpr (D == 3) {
-      full(0, 1) = full(1, 0) = s[3];
-      full(1, 2) = full(2, 1) = s[4];
-      full(0, 2) = full(2, 0) = s[5];
-    }
-    return full;
+    return symmetric_matrix<D>(deviator(i)) - scalar(field::pressure, i) * Mat<D>::Identity();
   }
 
   [[nodiscard]] ScalarPair<D> pair(std::size_t i, std::size_t j) {

@@ -60,7 +60,7 @@ struct ImagedCloud {
     const double longest = *std::max_element(h.begin(), h.end());
     if (images.possible()) images.find(cloud.position(), h, cloud.support() * longest + skin);
     cloud.list.build(cloud.position(), h, cloud.support(), skin, pair_loops<D>(), images.sites());
-    cloud.records.resize(cloud.count, true);
+    cloud.records.resize(cloud.count, {.medium = true});
     cloud.pack();
     momentum.pack({0, static_cast<std::int32_t>(cloud.count)}, cloud.records);
     cloud.records.set_images(images.count());

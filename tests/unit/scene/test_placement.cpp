@@ -18,7 +18,7 @@ constexpr double pi = std::numbers::pi;
 using Keys = std::map<std::string, Value>;
 
 BodyDescription body_of(const std::string& type, const Keys& keys) {
-  BodyDescription body{"body", {type, {}}, "cubic", "copper", {}};
+  BodyDescription body{"body", {type, {}}, "cubic", "copper", {}, 0.0, {}};
   for (const auto& [key, value] : keys) body.shape.parameters.set(key, value);
   return body;
 }
@@ -28,7 +28,18 @@ BodyDescription box(const std::vector<double>& min, const std::vector<double>& m
 }
 BodyDescription interval(double min, double max) { return body_of("interval", {{"min", min}, {"max", max}}); }
 BodyDescription ring(const std::vector<double>& centre, double inner, double outer) {
-  return body_of("ring", {{"centre", centre}, {"inner_radius", inner}, {"outer_radius", outer}});
+  return body_of("ring", {{"centre", centre},
+                          {"inner_radius", inner},
+                          {"outer_radius", outer},
+                          {"sector", std::string("full")},
+                          {"angle", 0.0}});
+}
+BodyDescription shell(const std::string& lattice, const std::string& sector, double angle = 0.0) {
+  BodyDescription body = ring({0.3, -0.2}, 80e-3, 100e-3);
+  body.lattice = lattice;
+  body.shape.parameters.set("sector", sector);
+  body.shape.parameters.set("angle", angle);
+  return body;
 }
 BodyDescription cylinder(const std::vector<double>& base, const std::string& axis, double radius, double length) {
   return body_of("cylinder", {{"base", base}, {"axis", axis}, {"radius", radius}, {"length", length}});
@@ -148,6 +159,57 @@ TEST(Shape, ReachEnclosesItsParticles) {
     EXPECT_GE(shape->reach(direction), farthest);
     EXPECT_LE(shape->reach(direction), farthest + 2.0 * spacing);  // centres stay up to two half diagonals inside
   }
+}
+
+TEST(ConcentricLayers, FillARingWithItsExactArea) {
+  for (const double spacing : {2e-3, 0.8e-3, 0.37e-3}) {
+    const auto placed = place_body<2>(shell("concentric", "full"), spacing);
+    const double area = pi * (0.1 * 0.1 - 0.08 * 0.08);
+    EXPECT_NEAR(total_volume(placed), area, 1e-12 * area);
+    // Cells differ from squares of the spacing by what whole numbers of them ask for.
+    for (const double volume : placed.volumes) EXPECT_NEAR(volume, spacing * spacing, 0.02 * spacing * spacing);
+    for (const auto& position : placed.positions) {
+      const double radius = (position - Vec<2>(0.3, -0.2)).norm();
+      EXPECT_GT(radius, 80e-3 + 0.4 * spacing);
+      EXPECT_LT(radius, 100e-3 - 0.4 * spacing);
+    }
+  }
+}
+
+TEST(Sectors, HoldTheirPartOfTheRing) {
+  for (const std::string lattice : {"cubic", "concentric"}) {
+    const auto full = place_body<2>(shell(lattice, "full"), 0.8e-3);
+    for (const auto& [sector, parts] : {std::pair<std::string, std::size_t>{"half", 2}, {"quarter", 4}}) {
+      const auto part = place_body<2>(shell(lattice, sector), 0.8e-3);
+      EXPECT_EQ(parts * part.positions.size(), full.positions.size()) << lattice;
+      EXPECT_NEAR(static_cast<double>(parts) * total_volume(part), total_volume(full), 1e-12 * total_volume(full));
+      for (const auto& position : part.positions) {
+        EXPECT_GT(position[1], -0.2);
+        EXPECT_TRUE(parts == 2 || position[0] > 0.3);
+        const auto found = std::find_if(full.positions.begin(), full.positions.end(), [&](const auto& other) {
+          return (other - position).norm() < 1e-12;  // m: rounding of 0.1 m
+        });
+        EXPECT_NE(found, full.positions.end()) << lattice << " " << sector;
+      }
+    }
+  }
+}
+
+TEST(Rings, AreTurnedByTheirAngle) {
+  const double turn = 0.3;
+  Mat<2> rotation;
+  rotation << std::cos(turn), -std::sin(turn), std::sin(turn), std::cos(turn);
+  const Vec<2> centre(0.3, -0.2);
+  for (const std::string lattice : {"cubic", "concentric"}) {
+    const auto straight = place_body<2>(shell(lattice, "full"), 2e-3);
+    const auto turned = place_body<2>(shell(lattice, "full", turn), 2e-3);
+    ASSERT_EQ(straight.positions.size(), turned.positions.size());
+    for (std::size_t i = 0; i < straight.positions.size(); ++i) {
+      const Vec<2> expected = centre + rotation * (straight.positions[i] - centre);
+      EXPECT_NEAR((turned.positions[i] - expected).norm(), 0.0, 1e-15);
+    }
+  }
+  EXPECT_THROW(place_body<2>(shell("cubic", "half", turn), 2e-3), InputError);
 }
 
 }  // namespace

@@ -54,17 +54,18 @@ TYPED_TEST(ViscosityIn, ActsOnApproachingPairsOnly) {
 
 TYPED_TEST(ViscosityIn, PushesApproachingPairsApart) {
   constexpr int D = TypeParam::value;
+  // Along the last axis, so that in 2D and 3D the first component of the pair's gradient is zero.
   Cloud<D> cloud(CubicSpline(),
-                 {Vec<D>::Zero(), Vec<D>(1e-3 * Vec<D>::Unit(0)), Vec<D>::Constant(1.0), Vec<D>::Constant(2.0),
+                 {Vec<D>::Zero(), Vec<D>(1e-3 * Vec<D>::Unit(D - 1)), Vec<D>::Constant(1.0), Vec<D>::Constant(2.0),
                   Vec<D>::Constant(3.0), Vec<D>::Constant(4.0), Vec<D>::Constant(5.0), Vec<D>::Constant(6.0),
                   Vec<D>::Constant(7.0), Vec<D>::Constant(8.0), Vec<D>::Constant(9.0), Vec<D>::Constant(10.0),
                   Vec<D>::Constant(11.0), Vec<D>::Constant(12.0)});
-  cloud.velocity()[0] = 10.0 * Vec<D>::Unit(0);
-  cloud.velocity()[1] = -10.0 * Vec<D>::Unit(0);
+  cloud.velocity()[0] = 10.0 * Vec<D>::Unit(D - 1);
+  cloud.velocity()[1] = -10.0 * Vec<D>::Unit(D - 1);
   cloud.pack();
   const auto forces = forces_of<D>(Viscosity<D>(coefficients), cloud);
-  EXPECT_LT(forces.acceleration[0][0], 0.0);
-  EXPECT_GT(forces.acceleration[1][0], 0.0);
+  EXPECT_LT(forces.acceleration[0][D - 1], 0.0);
+  EXPECT_GT(forces.acceleration[1][D - 1], 0.0);
   EXPECT_EQ(forces.acceleration[2].norm(), 0.0);
 }
 

@@ -26,7 +26,7 @@ struct FrozenBlock {
   FrozenBlock() : start(jittered_lattice<D>(per_axis, spacing, 0.0)), count(start.size()), fields(make_fields()) {
     list.build(fields.template vector<D>(field::initial_position), std::vector<double>(count, 0.8 * spacing), 2.0, 0.0,
                pair_loops<D>());
-    records.resize(count, false, true);
+    records.resize(count, {.nominal = true});
     for (std::size_t i = 0; i < count; ++i) {
       for (int a = 0; a < D; ++a) records.geometry[i][a] = start[i][a];
       records.geometry[i][D] = 0.8 * spacing;
