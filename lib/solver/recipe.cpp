@@ -258,6 +258,7 @@ PairNeeds needs_of(const Terms& terms) {
     needs.plain_gradient |= term->needs().plain_gradient;
     needs.value |= term->needs().value;
     needs.medium |= term->needs().medium;
+    needs.nominal |= term->needs().nominal;
     needs.response |= term->needs().response;
     needs.slope |= term->needs().slope;
   }
