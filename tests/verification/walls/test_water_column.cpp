@@ -67,8 +67,8 @@ void expect_front(const std::string& scene, double spacing, double height_over_w
   EXPECT_LT(best, 0.06) << scene << " at a shift of " << best_shift;
   EXPECT_EQ(collapse.penetrations, 0.0);
   EXPECT_LE(collapse.energy_growth, 0.0);
-  RecordProperty("deviation", std::to_string(best));
-  RecordProperty("shift", std::to_string(best_shift));
+  testing::Test::RecordProperty("deviation", std::to_string(best));
+  testing::Test::RecordProperty("shift", std::to_string(best_shift));
 }
 
 TEST(WaterColumn, FrontFollowsTheExperiments) {
