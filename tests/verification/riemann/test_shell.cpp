@@ -18,9 +18,9 @@ struct Collapse {
   std::unique_ptr<Simulation> simulation;
   std::vector<double> times, kinetic;
 
-  explicit Collapse(std::vector<std::string> overrides = {}) {
+  explicit Collapse(std::vector<std::string> overrides = {}, const std::string& name = "be_shell") {
     overrides.insert(overrides.begin(), "discretisation.spacing=2e-3");
-    scene = read_scene(std::string(ANVIL_SOURCE_DIR) + "/data/scenes/be_shell.toml", overrides);
+    scene = read_scene(std::string(ANVIL_SOURCE_DIR) + "/data/scenes/" + name + ".toml", overrides);
     simulation = make_simulation(scene);
   }
   Collapse& run(double end) {
@@ -82,6 +82,21 @@ TEST(BeShell, HasTheSameBitsForAnyNumberOfThreadsAndAfterARestart) {
     run_steps(*restarted, 30);
     expect_same_bits(*one, *restarted);
   }
+}
+
+/// Two planes of symmetry stand for the rest of the ring.
+TEST(BeShell, HasTheAnswerOfTheRingInAQuarter) {
+  Collapse full;
+  full.run(50e-6);
+  Collapse quarter({}, "be_shell_quarter");
+  quarter.run(50e-6);
+  EXPECT_EQ(4 * quarter.frame().particle_count(), full.frame().particle_count());
+  Frame full_frame, quarter_frame;
+  const Shell one = shell_at_end(full, full_frame), other = shell_at_end(quarter, quarter_frame);
+  EXPECT_NEAR(other.inner_radius(), one.inner_radius(), 0.001 * one.inner_radius());
+  EXPECT_NEAR(other.outer_radius(), one.outer_radius(), 0.001 * one.outer_radius());
+  EXPECT_NEAR(4.0 * audited(*quarter.simulation, "kinetic_energy"), audited(*full.simulation, "kinetic_energy"),
+              1e-3 * start_energy);
 }
 
 /// Turned by an angle: the same positions, turned, up to round-off that the motion of a crystal of particles amplifies.
