@@ -20,8 +20,8 @@ class RigidWall final : public Boundary<D> {
   [[nodiscard]] std::string_view name() const override { return "rigid_wall"; }
   [[nodiscard]] std::string_view purpose() const override { return "plane without friction that pushes, never pulls"; }
 
-  void correct_velocities(ParticleRange range, VectorView<D> positions, VectorView<D> velocities,
-                          double face_distance, double time_step) const override {
+  void correct_velocities(ParticleRange range, VectorView<D> positions, VectorView<D> velocities, double face_distance,
+                          double time_step) const override {
     for (std::size_t i = range.first(); i < range.last(); ++i) {
       const double gap = normal_.dot(positions[i] - point_) - face_distance;
       const double speed = normal_.dot(velocities[i]);

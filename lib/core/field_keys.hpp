@@ -18,7 +18,8 @@ inline constexpr FieldKey deviatoric_stress{"deviatoric_stress", "Pa", "its inde
 inline constexpr FieldKey back_stress{"back_stress", "Pa", "centre of the yield surface (kinematic hardening)"};
 inline constexpr FieldKey plastic_strain{"plastic_strain", "", "accumulated equivalent plastic strain"};
 inline constexpr FieldKey viscous_pressure{"viscous_pressure", "Pa", "of the bulk viscosity"};
-inline constexpr FieldKey deformation_gradient{"deformation_gradient", "", "d x_a / d X_b, X where it was at the start"};
+inline constexpr FieldKey deformation_gradient{"deformation_gradient", "",
+                                               "d x_a / d X_b, X where it was at the start"};
 inline constexpr FieldKey plastic_dilation{"plastic_dilation", "", "accumulated plastic volume strain"};
 inline constexpr FieldKey specific_energy{"specific_energy", "J/kg", "internal, what the equation of state reads"};
 inline constexpr FieldKey kick_energy{"kick_energy", "J/kg",

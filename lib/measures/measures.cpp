@@ -27,10 +27,10 @@ RodShape rod_shape(const Scene& scene) {
 
 /// What a quantity of the modelled part is multiplied by: planes of symmetry through the axis each hide a half.
 double whole_over_part(const Scene& scene) {
-  return std::ldexp(1.0, static_cast<int>(std::count_if(scene.boundaries.begin(), scene.boundaries.end(),
-                                                        [](const auto& boundary) {
-                                                          return boundary.entry.type == "symmetry_plane";
-                                                        })));
+  return std::ldexp(
+      1.0, static_cast<int>(std::count_if(scene.boundaries.begin(), scene.boundaries.end(), [](const auto& boundary) {
+        return boundary.entry.type == "symmetry_plane";
+      })));
 }
 
 Rod rod_of(const Result& result) { return {result.frame, rod_shape(result.scene)}; }

@@ -63,12 +63,12 @@ struct PairRecords {
   static constexpr int small = D == 1 ? 2 : 4;
   static constexpr int large = D == 1 ? 2 : (D == 2 ? 4 : 8);
   static constexpr int nominal_size = D == 1 ? 2 : (D == 2 ? 8 : 12);
-  Records<small> geometry;  // position, smoothing length
-  Records<small> motion;    // velocity, volume
-  Records<large> traction;  // tensor T, weight w: what the momentum sum reads
+  Records<small> geometry;        // position, smoothing length
+  Records<small> motion;          // velocity, volume
+  Records<large> traction;        // tensor T, weight w: what the momentum sum reads
   Records<nominal_size> nominal;  // tensor of D x D, weight: what the momentum sum of the reference configuration reads
-  Records<4> medium;        // sound speed without shear, density, mass, viscosity
-  Records<8> response;      // by ResponseField
+  Records<4> medium;              // sound speed without shear, density, mass, viscosity
+  Records<8> response;            // by ResponseField
   Records<SlopeField<D>::size> slope;
   Records<large> correction;  // symmetric and packed
 

@@ -280,8 +280,8 @@ void check_total_lagrangian(const Scene& scene, Contradictions& found) {
                                    boundary.entry.type, fmt::join(possible, ", "))});
   for (const auto& body : scene.bodies)
     if (body.jitter > 0.0)
-      found.push_back({fmt::format("body.{}.jitter", body.name),
-                       "total_lagrangian wants the lattice as it is; leave the key out"});
+      found.push_back(
+          {fmt::format("body.{}.jitter", body.name), "total_lagrangian wants the lattice as it is; leave the key out"});
   const bool all_on_faces = std::all_of(scene.bodies.begin(), scene.bodies.end(),
                                         [](const auto& body) { return body.lattice == "face_lattice"; });
   if (scene.bodies.size() > 1 && !all_on_faces)
@@ -289,9 +289,9 @@ void check_total_lagrangian(const Scene& scene, Contradictions& found) {
            "total_lagrangian bodies meet by their faces; give each of them lattice = \"face_lattice\"");
   for (const auto& material : scene.materials)
     if (std::visit([](const auto& eos) { return eos.uses_energy; }, make_eos(material.eos, material.density)))
-      found.push_back({fmt::format("material.{}.eos", material.name),
-                       fmt::format("{} reads the energy, which total_lagrangian does not keep; use linear",
-                                   material.eos.type)});
+      found.push_back(
+          {fmt::format("material.{}.eos", material.name),
+           fmt::format("{} reads the energy, which total_lagrangian does not keep; use linear", material.eos.type)});
   if (scene.domain.strain_state == "uniaxial_stress")
     refuse("domain.strain_state", "total_lagrangian has no uniaxial stress; use kernel_gradient_correction or cspm");
 }

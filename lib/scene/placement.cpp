@@ -209,8 +209,8 @@ PlacedBody<D> place_body(const BodyDescription& body, double spacing) {
     if (body.lattice == "concentric") return place_concentric(body, spacing);
   const auto shape = make_shape<D>(body.shape);
   const auto cells = count_cells<D>(*shape, spacing);
-  PlacedBody<D> placed = body.lattice == "face_lattice" ? share_cells<D>(*shape, cells, spacing)
-                                                        : fill_cells<D>(*shape, cells, spacing);
+  PlacedBody<D> placed =
+      body.lattice == "face_lattice" ? share_cells<D>(*shape, cells, spacing) : fill_cells<D>(*shape, cells, spacing);
   if (placed.positions.empty())
     throw InputError(fmt::format("body '{}' holds no particle at a spacing of {} m", body.name, spacing));
   const double scale = shape->volume() / std::accumulate(placed.volumes.begin(), placed.volumes.end(), 0.0);

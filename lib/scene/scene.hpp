@@ -80,8 +80,8 @@ struct Shock {
   double softening;              // eps
   double bulk_linear_coefficient;
   double bulk_quadratic_coefficient;
-  double diffusion;              // eta1 of flux-corrected transport
-  double antidiffusion;          // eta2
+  double diffusion;      // eta1 of flux-corrected transport
+  double antidiffusion;  // eta2
   std::string limiter;
   std::string pair_gradient;   // of hllc
   std::string reconstruction;  // of hllc
@@ -108,7 +108,7 @@ struct BodyDescription {
   TypedEntry shape;
   std::string lattice;
   std::vector<double> rotation;  // rad, about the origin: axis times angle in 3D, one angle in 2D; empty: none
-  double jitter;  // of a spacing
+  double jitter;                 // of a spacing
   std::string material;
   std::vector<double> velocity;  // m/s, `dimension` components
   bool hydrostatic;

@@ -107,9 +107,10 @@ Section<Shock> shock_section() {
           {{.name = "method",
             .kind = ValueKind::choice,
             .standard = "none",
-            .help = "artificial_viscosity is that of Monaghan and Gingold (1983); fct is flux-corrected transport of "
-                    "velocity and stress, in 1D; hllc solves a Riemann problem per approaching pair; bulk_viscosity is a "
-                    "pressure against the rate of compression",
+            .help =
+                "artificial_viscosity is that of Monaghan and Gingold (1983); fct is flux-corrected transport of "
+                "velocity and stress, in 1D; hllc solves a Riemann problem per approaching pair; bulk_viscosity is a "
+                "pressure against the rate of compression",
             .choices = {"none", "artificial_viscosity", "fct", "hllc", "bulk_viscosity"}},
            &Shock::method},
           {{.name = "linear_coefficient",
@@ -246,7 +247,8 @@ Section<BodyDescription> body_section() {
             .help =
                 "arrangement of the particles: cubic (a square one in 2D, a line in 1D) fills the shape with cells, "
                 "so the outermost particles lie half a spacing inside its faces; face_lattice puts them on the "
-                "corners of the cells, so the outermost lie on the faces with half of a volume; concentric fills a ring "
+                "corners of the cells, so the outermost lie on the faces with half of a volume; concentric fills a "
+                "ring "
                 "with layers",
             .choices = {"cubic", "face_lattice", "concentric"}},
            &BodyDescription::lattice},
@@ -254,8 +256,9 @@ Section<BodyDescription> body_section() {
             .kind = ValueKind::numbers,
             .unit = "rad",
             .standard = std::vector<double>{},
-            .help = "turns the shape and its lattice about the origin: in 3D the axis times the angle, in 2D one angle; "
-                    "velocity and boundaries stay as they are given"},
+            .help =
+                "turns the shape and its lattice about the origin: in 3D the axis times the angle, in 2D one angle; "
+                "velocity and boundaries stay as they are given"},
            &BodyDescription::rotation},
           {{.name = "jitter",
             .standard = 0.0,

@@ -56,7 +56,8 @@ Explanation Solver<D>::explain() const {
   add_record("motion record", PairRecords<D>::small, "velocity and volume, packed for the pair loops");
   if (recipe_.deformation) {
     add_record("nominal record", PairRecords<D>::nominal_size, "nominal stress and weight, packed for the pair loops");
-    add_record("reference record", Deformation<D>::doubles_per_particle(), "gradient correction, rate, volume, density");
+    add_record("reference record", Deformation<D>::doubles_per_particle(),
+               "gradient correction, rate, volume, density");
     add_record("frozen gradients",
                static_cast<int>(std::lround(static_cast<double>(D * frozen_gradient_[0].size()) /
                                             std::max(1.0, static_cast<double>(particle_count())))),

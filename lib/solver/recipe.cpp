@@ -332,15 +332,15 @@ Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& rang
     const MaterialDescription& material = material_of(scene, scene.bodies[b]);
     const Strength strength = make_strength(material.strength);
     const Eos eos = make_eos(material.eos, material.density);
-    recipe.bodies.push_back({.name = scene.bodies[b].name,
-                             .range = ranges[b],
-                             .strength = make_strength_update<D>(strength, edges ? edges->fields() : fields),
-                             .strength_range = edges ? edges->edges_from(ranges[b]) : ranges[b],
-                             .eos = make_eos_update<D>(eos, fields),
-                             .lateral_release = nullptr,
-                             .face_distance =
-                                 scene.bodies[b].lattice == "face_lattice" ? 0.0 : 0.5 * scene.discretisation.spacing,
-                             .viscosity = material.viscosity});
+    recipe.bodies.push_back(
+        {.name = scene.bodies[b].name,
+         .range = ranges[b],
+         .strength = make_strength_update<D>(strength, edges ? edges->fields() : fields),
+         .strength_range = edges ? edges->edges_from(ranges[b]) : ranges[b],
+         .eos = make_eos_update<D>(eos, fields),
+         .lateral_release = nullptr,
+         .face_distance = scene.bodies[b].lattice == "face_lattice" ? 0.0 : 0.5 * scene.discretisation.spacing,
+         .viscosity = material.viscosity});
     set_deviator<D>(scene.bodies[b], ranges[b], fields);
     if (scene.domain.strain_state == "uniaxial_stress")
       recipe.bodies.back().lateral_release = make_lateral_release(strength, eos, fields);
@@ -350,8 +350,7 @@ Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& rang
   add_filters(scene, recipe);
   add_wall_penalties(scene, ranges, fields, recipe);
   if (recipe.deformation && scene.bodies.size() > 1)
-    recipe.contact =
-        std::make_unique<Contact<D>>(surfaces_of<D>(scene, ranges), fields, scene.discretisation.spacing);
+    recipe.contact = std::make_unique<Contact<D>>(surfaces_of<D>(scene, ranges), fields, scene.discretisation.spacing);
   add_walls(scene, walls, fields, recipe);
   if constexpr (D == 1) add_line_terms(scene, ranges, fields, recipe);
   recipe.force_needs = needs_of(recipe.forces);

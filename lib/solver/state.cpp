@@ -15,7 +15,7 @@ std::vector<double> ledger_numbers(const Ledger<D>& ledger) {
                                  ledger.start_energy, ledger.pressure_work, ledger.uncorrected,    ledger.gravity_work,
                                  ledger.wall_work,    ledger.penetrations,  ledger.contact_loss};
   for (const Vec<D>* vector : {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse,
-                                &ledger.gravity_impulse, &ledger.start_momentum})
+                               &ledger.gravity_impulse, &ledger.start_momentum})
     numbers.insert(numbers.end(), vector->data(), vector->data() + D);
   return numbers;
 }

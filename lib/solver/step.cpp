@@ -380,8 +380,8 @@ void Solver<D>::respond_tile(const Tile& tile, Scratch& scratch, double time_ste
   else if (limited)  // the stress stays that of the last step, to the bit
     std::copy_n(kept, tile.range.count(), pressure_.data() + tile.range.begin);
   if (recipe_.bulk_viscosity && time_step > 0.0)
-    report.bulk_viscous_loss = recipe_.bulk_viscosity->update(tile.range, scratch.per_particle.data(),
-                                                              scratch.sound_speed.data(), time_step);
+    report.bulk_viscous_loss =
+        recipe_.bulk_viscosity->update(tile.range, scratch.per_particle.data(), scratch.sound_speed.data(), time_step);
   pack_limit_and_check(tile, scratch, report);
   for (const auto& force : recipe_.forces) force->pack(tile.range, records_);
 }
@@ -429,7 +429,8 @@ void Solver<D>::pack_limit_and_check(const Tile& tile, Scratch& scratch, TileRep
 }
 
 /// The time step rule dt = cfl h / (c + |v|), c the longitudinal wave speed (Long 2007, equation 12), and for viscous
-/// fluids dt = h^2 / (8 nu) (Morris, Fox and Zhu 1997, equation 24). Roots and quotients stand in short loops of their own, which the compiler turns into vectors.
+/// fluids dt = h^2 / (8 nu) (Morris, Fox and Zhu 1997, equation 24). Roots and quotients stand in short loops of their
+/// own, which the compiler turns into vectors.
 template <int D>
 void Solver<D>::find_step_limits(const Tile& tile, Scratch& scratch) const {
   const Body<D>& body = recipe_.bodies[static_cast<std::size_t>(tile.body)];

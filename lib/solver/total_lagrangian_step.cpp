@@ -32,8 +32,7 @@ void Solver<D>::deform_from_reference(const Tile& tile, Scratch& scratch, double
   if (time_step > 0.0) {
     loops_.velocity_gradient(open_tile(tile, scratch, {.gradient = true}), records_, velocity_gradient);
     recipe_.deformation->advance(tile.range, velocity_gradient, time_step);
-    if (!recipe_.edges)
-      report.plastic_work = body.strength->update(tile.range, velocity_gradient, nullptr, time_step);
+    if (!recipe_.edges) report.plastic_work = body.strength->update(tile.range, velocity_gradient, nullptr, time_step);
   }
   body.eos->update(tile.range, scratch.sound_speed.data());
   if (recipe_.bulk_viscosity && time_step > 0.0)

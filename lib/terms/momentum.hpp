@@ -26,7 +26,8 @@ class Momentum final : public ForceTerm<D> {
         mass_((fields.require(field::mass), fields.scalar(field::mass))),
         density_((fields.require(field::density), fields.scalar(field::density))),
         pressure_((fields.require(field::pressure), fields.scalar(field::pressure))),
-        viscous_pressure_(fields.has(field::viscous_pressure) ? fields.scalar(field::viscous_pressure).data() : nullptr),
+        viscous_pressure_(fields.has(field::viscous_pressure) ? fields.scalar(field::viscous_pressure).data()
+                                                              : nullptr),
         deviator_(fields.has(field::deviatoric_stress)
                       ? fields.vector<symmetric_components<D>>(field::deviatoric_stress).raw()
                       : nullptr) {}

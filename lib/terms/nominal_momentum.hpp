@@ -22,7 +22,8 @@ class NominalMomentum final : public ForceTerm<D> {
       : deformation_(deformation),
         edges_(edges),
         pressure_((fields.require(field::pressure), fields.scalar(field::pressure))),
-        viscous_pressure_(fields.has(field::viscous_pressure) ? fields.scalar(field::viscous_pressure).data() : nullptr),
+        viscous_pressure_(fields.has(field::viscous_pressure) ? fields.scalar(field::viscous_pressure).data()
+                                                              : nullptr),
         deviator_(edges == nullptr && fields.has(field::deviatoric_stress)
                       ? fields.vector<StrainState::components>(field::deviatoric_stress).raw()
                       : nullptr) {}

@@ -11,8 +11,8 @@
 namespace anvil {
 
 /// An immovable plane without friction that stores what it takes: the faces of total Lagrangian particles that are a
-/// depth d behind it are pushed back by k d. A face stands at x_i + F_i O with its place O seen from the particle at the
-/// start: zero for particles on faces, half a spacing along the face's normal for those that fill a body. The force
+/// depth d behind it are pushed back by k d. A face stands at x_i + F_i O with its place O seen from the particle at
+/// the start: zero for particles on faces, half a spacing along the face's normal for those that fill a body. The force
 /// follows from the energy k d^2/2, so it acts on the particle and, through the deformation gradient, on its stress.
 template <int D>
 class WallPenalty final : public ForceTerm<D> {
@@ -56,7 +56,8 @@ class WallPenalty final : public ForceTerm<D> {
 
   void accumulate(const PairTile<D>& tile, const PairRecords<D>& /*records*/, double* acceleration,
                   double* /*loss*/) const override {
-    for (auto i = static_cast<std::size_t>(tile.begin); i < static_cast<std::size_t>(tile.end); ++i, acceleration += D) {
+    for (auto i = static_cast<std::size_t>(tile.begin); i < static_cast<std::size_t>(tile.end);
+         ++i, acceleration += D) {
       Eigen::Map<Vec<D>> own(acceleration);
       for (std::size_t k = first_face_[i]; k < first_face_[i + 1]; ++k) own += force_[k] / mass_[i] * normal_;
     }

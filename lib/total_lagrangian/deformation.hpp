@@ -72,9 +72,7 @@ class Deformation {
   [[nodiscard]] double volume(std::size_t i) const { return volume_[i]; }
   [[nodiscard]] ConstSquareMap<D> rate(std::size_t i) const { return ConstSquareMap<D>(&rate_[i * D * D]); }
   [[nodiscard]] ConstSquareMap<D> gradient(std::size_t i) const { return ConstSquareMap<D>(gradient_ + i * D * D); }
-  [[nodiscard]] ConstSquareMap<D> correction(std::size_t i) const {
-    return ConstSquareMap<D>(&correction_[i * D * D]);
-  }
+  [[nodiscard]] ConstSquareMap<D> correction(std::size_t i) const { return ConstSquareMap<D>(&correction_[i * D * D]); }
   [[nodiscard]] double reference_density(std::size_t i) const { return reference_density_[i]; }
   /// The least principal stretch is at least this: sqrt(D) / |F^-1| in the Frobenius norm. It shortens the time step.
   [[nodiscard]] double least_stretch(std::size_t i) const;

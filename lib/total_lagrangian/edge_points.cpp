@@ -56,14 +56,14 @@ void EdgePoints<D>::find_edges(const std::vector<ParticleRange>& bodies, double 
       const auto j = static_cast<std::size_t>(near.neighbours()[k]);
       if (j <= i || j >= particles || body_of[i] != body_of[j]) continue;
       const Vec<D> apart = initial_position_[i] - initial_position_[j];
-      edges_.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), apart.normalized(), apart.norm(), 0.0, 1.0});
+      edges_.push_back(
+          {static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), apart.normalized(), apart.norm(), 0.0, 1.0});
       if (transforms_of_[i] < 0) continue;
       const auto& keep_first = transforms_[static_cast<std::size_t>(transforms_of_[i])];
       const auto keeps_second = [&](const Transform<D>& transform) {
         return (transform(initial_position_[j]) - initial_position_[j]).norm() < 1e-6 * spacing;
       };
-      edges_.back().part =
-          1.0 / static_cast<double>(std::count_if(keep_first.begin(), keep_first.end(), keeps_second));
+      edges_.back().part = 1.0 / static_cast<double>(std::count_if(keep_first.begin(), keep_first.end(), keeps_second));
     }
   }
   first_edge_.push_back(static_cast<std::int32_t>(edges_.size()));

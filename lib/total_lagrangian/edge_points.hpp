@@ -13,9 +13,9 @@ namespace anvil {
 
 /// Stress points on the edges of a lattice of particles, against the motions that gradients at particles do not see.
 /// The deformation gradient of an edge is the mean of its two ends with the part along the edge replaced by the exact
-/// one, F_e = (F_i + F_j)/2 (I - N N^T) + x_ij N^T / |X_ij| with N = X_ij / |X_ij|. Each edge carries the strength law's
-/// state for the volume V_e = V_i/n_i + V_j/n_j, n the number of edges at a particle; pressure stays on the particles,
-/// where fewer points mean no locking. Forces are the adjoint of F_e: momentum and angular momentum close.
+/// one, F_e = (F_i + F_j)/2 (I - N N^T) + x_ij N^T / |X_ij| with N = X_ij / |X_ij|. Each edge carries the strength
+/// law's state for the volume V_e = V_i/n_i + V_j/n_j, n the number of edges at a particle; pressure stays on the
+/// particles, where fewer points mean no locking. Forces are the adjoint of F_e: momentum and angular momentum close.
 /// Nothing in it is to be chosen.
 template <int D>
 class EdgePoints final : public ForceTerm<D> {

@@ -9,15 +9,14 @@
 namespace anvil {
 namespace {
 
-constexpr double spacing = 1e-3;             // m, of the particles
+constexpr double spacing = 1e-3;            // m, of the particles
 constexpr double standoff = 0.5 * spacing;  // m, of their centres from the faces of the body
-constexpr double time_step = 1e-6;   // s
+constexpr double time_step = 1e-6;          // s
 
 /// The velocity of one particle after the wall has corrected it.
 template <int D>
 Vec<D> corrected(const RigidWall<D>& wall, Vec<D> position, Vec<D> velocity) {
-  wall.correct_velocities({0, 1}, VectorView<D>(position.data()), VectorView<D>(velocity.data()), standoff,
-                          time_step);
+  wall.correct_velocities({0, 1}, VectorView<D>(position.data()), VectorView<D>(velocity.data()), standoff, time_step);
   return velocity;
 }
 

@@ -19,8 +19,8 @@ namespace anvil {
 /// A block of particles on the corners of cells, with the pairs, gradients and corrections of its start frozen.
 template <int D>
 struct FrozenBlock {
-  static constexpr double spacing = 1e-3;     // m
-  static constexpr double density = 8000.0;   // kg/m3
+  static constexpr double spacing = 1e-3;    // m
+  static constexpr double density = 8000.0;  // kg/m3
   static constexpr int per_axis = D == 3 ? 5 : 7;
 
   FrozenBlock() : start(jittered_lattice<D>(per_axis, spacing, 0.0)), count(start.size()), fields(make_fields()) {

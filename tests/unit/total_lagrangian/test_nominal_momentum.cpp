@@ -24,8 +24,8 @@ template <int D>
 struct StressedBlock : FrozenBlock<D> {
   explicit StressedBlock(bool with_edges) {
     if (with_edges)
-      edges = std::make_unique<EdgePoints<D>>(
-          this->fields, std::vector<ParticleRange>{this->all()}, FrozenBlock<D>::spacing);
+      edges = std::make_unique<EdgePoints<D>>(this->fields, std::vector<ParticleRange>{this->all()},
+                                              FrozenBlock<D>::spacing);
     strength = make_strength_update<D>(elastic_law(), with_edges ? edges->fields() : this->fields);
     momentum = std::make_unique<NominalMomentum<D>>(this->fields, this->deformation, edges.get());
     this->move_at_random(1e-7, 200.0);
@@ -58,8 +58,7 @@ struct StressedBlock : FrozenBlock<D> {
 
   /// Energy stored by shear plus the work of constant pressures, -p V per particle.
   double potential() {
-    double energy =
-        strength->elastic_energy(edges ? edges->edges_from(this->all()) : this->all());
+    double energy = strength->elastic_energy(edges ? edges->edges_from(this->all()) : this->all());
     for (std::size_t i = 0; i < this->count; ++i)
       energy -= this->fields.scalar(field::pressure)[i] * this->fields.scalar(field::mass)[i] /
                 this->fields.scalar(field::density)[i];
@@ -115,8 +114,8 @@ TYPED_TEST(NominalMomentumIn, TakesFromTheMotionWhatItStores) {
     const double change = block.potential() - before;
     double work = 0.0, magnitude = 0.0;
     for (std::size_t i = 0; i < block.count; ++i) {
-      const double part = 0.5 * time_step * block.fields.scalar(field::mass)[i] *
-                          block.velocity()[i].dot(first[i] + second[i]);
+      const double part =
+          0.5 * time_step * block.fields.scalar(field::mass)[i] * block.velocity()[i].dot(first[i] + second[i]);
       work += part;
       magnitude += std::abs(part);
     }
@@ -126,7 +125,8 @@ TYPED_TEST(NominalMomentumIn, TakesFromTheMotionWhatItStores) {
   }
 }
 
-// A lattice in its own rhythm, neighbours against each other: gradients at particles see nothing of it inside, edges do.
+// A lattice in its own rhythm, neighbours against each other: gradients at particles see nothing of it inside, edges
+// do.
 TYPED_TEST(NominalMomentumIn, EdgesResistWhatGradientsDoNotSee) {
   constexpr int D = TypeParam::value;
   for (const bool with_edges : {false, true}) {

@@ -60,14 +60,16 @@ TEST(RodBest, AQuarterBetweenPlanesIsTheWhole) {
   double largest = 0.0;
   for (std::size_t i = 0; i < part.particle_count(); ++i)
     largest = std::max(largest, (present_of(all, place(initial, i)) - place(part.positions, i)).norm());
-  // Sums in another order differ in the last bits; plastic flow over 400 steps lets that grow to some 1e-12 of a length.
+  // Sums in another order differ in the last bits; plastic flow over 400 steps lets that grow to some 1e-12 of a
+  // length.
   EXPECT_LT(largest, 1e-10 * 32e-3);
   EXPECT_NEAR(4.0 * audited(*quarter, "plastic_work"), audited(*whole, "plastic_work"), 1e-9 * start_energy);
 }
 
 TEST(RodBest, MeetingItsMirrorImageIsMeetingAWall) {
   const auto pair = simulation_of("rod_on_rod", {"discretisation.spacing=1.6e-3"});
-  const auto wall = simulation_of("rod_square_best", {"discretisation.spacing=1.6e-3", "body.rod.velocity=[0,0,-113.5]"});
+  const auto wall =
+      simulation_of("rod_square_best", {"discretisation.spacing=1.6e-3", "body.rod.velocity=[0,0,-113.5]"});
   for (const auto& rod : {pair.get(), wall.get()}) run_to(*rod, 40e-6);
   const Frame two = pair->frame(), one = wall->frame();
   const auto initial = array_of(one, "initial_position");
@@ -90,10 +92,10 @@ TEST(RodBest, TurnedWithItsWallItIsTheSame) {
   const Vec<3> turn(0.4, -0.7, 0.2);
   const Mat<3> rotation = Eigen::AngleAxis<double>(turn.norm(), turn.normalized()).toRotationMatrix();
   const auto straight = simulation_of("rod_square_best", {"discretisation.spacing=1.6e-3"});
-  const auto turned = simulation_of(
-      "rod_square_best", {"discretisation.spacing=1.6e-3", "body.rod.rotation=" + text_of(turn),
-                          "body.rod.velocity=" + text_of(rotation * Vec<3>(0.0, 0.0, -227.0)),
-                          "boundary.anvil.normal=" + text_of(rotation * Vec<3>::UnitZ())});
+  const auto turned =
+      simulation_of("rod_square_best", {"discretisation.spacing=1.6e-3", "body.rod.rotation=" + text_of(turn),
+                                        "body.rod.velocity=" + text_of(rotation * Vec<3>(0.0, 0.0, -227.0)),
+                                        "boundary.anvil.normal=" + text_of(rotation * Vec<3>::UnitZ())});
   for (const auto& rod : {straight.get(), turned.get()}) run_to(*rod, 40e-6);
   const Frame one = straight->frame(), two = turned->frame();
   double largest = 0.0;
