@@ -120,19 +120,34 @@ auto Contact<D>::meeting_of(std::int32_t particle, const BodyFacet<D>& facet) co
   for (std::size_t k = 0; k < facet.size(); ++k)
     if (closest.weight[k] > 0.0)
       compliance += closest.weight[k] * closest.weight[k] / mass_[static_cast<std::size_t>(facet[k])];
-  return Meeting{particle, facet, closest.weight, normal, gap, compliance, 0.0};
+  return Meeting{particle, facet, closest.weight, normal, gap, apart.norm(), compliance, 0.0};
 }
 
-/// Each particle of one surface meets the nearest facet of the other within reach.
 template <int D>
-void Contact<D>::meet(const Surface<D>& points, const Surface<D>& facets) {
+void Contact<D>::update_outward(std::size_t surface) {
+  const std::vector<std::int32_t>& particles = surfaces_[surface].particles;
+  outward_[surface].assign(particles.size(), Vec<D>::Zero());
+  for (const BodyFacet<D>& facet : surfaces_[surface].facets) {
+    const Vec<D> normal = normal_of(facet);
+    for (std::size_t k = 0; k < corners; ++k) {
+      const auto found = std::lower_bound(particles.begin(), particles.end(), facet[k]);
+      outward_[surface][static_cast<std::size_t>(found - particles.begin())] += normal;
+    }
+  }
+}
+
+/// Each particle of one surface meets the nearest facet of the other that faces it. Of facets around one edge or corner
+/// that are equally near, the one that faces it most: the sides of a bar meet nothing when its end does.
+template <int D>
+void Contact<D>::meet(std::size_t points, std::size_t facets) {
   using Entry = std::pair<Box<D>, std::size_t>;
-  constexpr std::size_t corners = D == 1 ? 1 : BodyFacet<D>{}.size();
+  const double same_distance = 1e-9 * reach_;
+  const std::vector<BodyFacet<D>>& others = surfaces_[facets].facets;
   std::vector<Entry> boxes;
-  for (std::size_t f = 0; f < facets.facets.size(); ++f) {
+  for (std::size_t f = 0; f < others.size(); ++f) {
     Vec<D> low = Vec<D>::Constant(std::numeric_limits<double>::max()), high = -low;
     for (std::size_t k = 0; k < corners; ++k) {
-      const Vec<D> corner = position_[static_cast<std::size_t>(facets.facets[f][k])];
+      const Vec<D> corner = position_[static_cast<std::size_t>(others[f][k])];
       low = low.cwiseMin(corner);
       high = high.cwiseMax(corner);
     }
@@ -140,16 +155,25 @@ void Contact<D>::meet(const Surface<D>& points, const Surface<D>& facets) {
   }
   const geometry::index::rtree<Entry, geometry::index::rstar<8>> tree(boxes);
   std::vector<Entry> near;
-  for (const std::int32_t particle : points.particles) {
+  for (std::size_t p = 0; p < surfaces_[points].particles.size(); ++p) {
+    const std::int32_t particle = surfaces_[points].particles[p];
     const Vec<D> place = position_[static_cast<std::size_t>(particle)];
     near.clear();
     tree.query(geometry::index::intersects(box_between<D>(place, place)), std::back_inserter(near));
-    // By number, so that the first of equally near facets does not depend on the tree.
+    // By number, so that the first of equal facets does not depend on the tree.
     std::sort(near.begin(), near.end(), [](const Entry& a, const Entry& b) { return a.second < b.second; });
     std::optional<Meeting> nearest;
+    double least = std::numeric_limits<double>::max(), most_opposed = 0.0;
     for (const Entry& entry : near) {
-      const std::optional<Meeting> meeting = meeting_of(particle, facets.facets[entry.second]);
-      if (meeting && (!nearest || std::abs(meeting->gap) < std::abs(nearest->gap))) nearest = meeting;
+      const std::optional<Meeting> meeting = meeting_of(particle, others[entry.second]);
+      if (!meeting) continue;
+      const double opposed = -meeting->normal.dot(outward_[points][p]);
+      const double distance = meeting->distance;
+      if (opposed <= 0.0 || distance > least + same_distance) continue;
+      if (distance > least - same_distance && opposed <= most_opposed) continue;
+      nearest = meeting;
+      least = distance;
+      most_opposed = opposed;
     }
     if (nearest) meetings_.push_back(*nearest);
   }
@@ -158,9 +182,11 @@ void Contact<D>::meet(const Surface<D>& points, const Surface<D>& facets) {
 template <int D>
 void Contact<D>::find_meetings() {
   meetings_.clear();
+  outward_.resize(surfaces_.size());
+  for (std::size_t a = 0; a < surfaces_.size(); ++a) update_outward(a);
   for (std::size_t a = 0; a < surfaces_.size(); ++a)
     for (std::size_t b = 0; b < surfaces_.size(); ++b)
-      if (a != b) meet(surfaces_[a], surfaces_[b]);
+      if (a != b) meet(a, b);
 }
 
 template <int D>

@@ -39,12 +39,14 @@ class Contact {
   [[nodiscard]] double deepest_penetration();
 
  private:
+  static constexpr std::size_t corners = D == 1 ? 1 : BodyFacet<D>{}.size();
   struct Meeting {
     std::int32_t particle;
     BodyFacet<D> facet;
     std::array<double, BodyFacet<D>{}.size()> weight;
-    Vec<D> normal;  // of the facet, outward
-    double gap;     // m, along the normal
+    Vec<D> normal;    // of the facet, outward
+    double gap;       // m, along the normal
+    double distance;  // m, from the closest point
     double compliance, impulse;
   };
   struct Closest {
@@ -53,7 +55,8 @@ class Contact {
   };
 
   void find_meetings();
-  void meet(const Surface<D>& points, const Surface<D>& facets);
+  void meet(std::size_t points, std::size_t facets);
+  void update_outward(std::size_t surface);
   [[nodiscard]] std::optional<Meeting> meeting_of(std::int32_t particle, const BodyFacet<D>& facet) const;
   [[nodiscard]] Closest closest_on(const BodyFacet<D>& facet, const Vec<D>& place) const;
   [[nodiscard]] Vec<D> normal_of(const BodyFacet<D>& facet) const;
@@ -61,6 +64,7 @@ class Contact {
   [[nodiscard]] double approach(const Meeting& meeting) const;
 
   std::vector<Surface<D>> surfaces_;
+  std::vector<std::vector<Vec<D>>> outward_;  // by surface and its particles: sum of the normals of the facets around
   VectorView<D> position_, velocity_;
   std::span<const double> mass_;
   double reach_, side_tolerance_;  // m
