@@ -126,7 +126,7 @@ void sum_hllc_of(const PairTile<D>& tile, const PairRecords<D>& records, bool co
     }
     for (std::int64_t k = begin; k < end; k += lanes<D>) {
       const std::int64_t at = k - tile.first[tile.begin];
-      if constexpr (D == 1)
+      if constexpr (lanes<D> == 1 && D == 1)
         if (tile.plain_gradient[0][at] == 0.0) continue;  // out of reach
       HllcRecords<D, L> other;
       L other_place[PairRecords<D>::small];

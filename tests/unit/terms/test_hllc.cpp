@@ -68,7 +68,7 @@ TYPED_TEST_SUITE(HllcIn, Dimensions);
 template <int D>
 RiemannSide<double> side_of(HllcCloud<D>& hllc, std::size_t i, const Vec<D>& n) {
   Cloud<D>& cloud = hllc.cloud;
-  const double shear = 4.0 / 3.0 * 27.6e9, density = cloud.scalar(field::density, i), speed = cloud.wave_speed[i];
+  const double shear = 4.0 / 3.0 * 27.6e9, density = cloud.scalar(field::density, i), speed = cloud.sound_speed[i];
   const double stress = n.dot(cloud.stress(i) * n);
   return {.velocity = n.dot(Vec<D>(cloud.velocity()[i])),
           .stress = stress,
@@ -182,7 +182,7 @@ TYPED_TEST(HllcIn, ReconstructsLinearFields) {
   const auto accelerations = cloud.fields.template vector<D>(field::pair_acceleration);
   for (std::size_t i = 0; i < cloud.count; ++i) {
     cloud.velocity()[i] = -1000.0 * cloud.position()[i];
-    cloud.wave_speed[i] = 5000.0;
+    cloud.sound_speed[i] = 5000.0;
     cloud.fields.scalar(field::density)[i] = 8000.0;
     cloud.fields.scalar(field::pressure)[i] = -slope.dot(Vec<D>(cloud.position()[i]));
     std::fill_n(cloud.deviator(i), Cloud<D>::components, 0.0);
