@@ -54,8 +54,9 @@ std::vector<NamedValues> columns_of(const History& history) {
 
 std::vector<std::string> used_names(const std::string& expression) {
   try {
+    const mu::Parser parser = make_parser(expression);
     std::vector<std::string> names;
-    for (const auto& used : make_parser(expression).GetUsedVar()) names.push_back(used.first);
+    for (const auto& used : parser.GetUsedVar()) names.push_back(used.first);
     return names;
   } catch (const mu::Parser::exception_type& error) {
     refuse_expression(expression, error);

@@ -55,8 +55,8 @@ TEST(Expression, SaysWhatIsWrong) {
 
 TEST(FrameFields, DerivesLengthsAndInvariants) {
   const Frame frame = make_frame();
-  EXPECT_EQ(field_of(frame, "velocity").values[0], std::sqrt(110.0));
-  EXPECT_EQ(field_of(frame, "velocity.magnitude").values[0], std::sqrt(110.0));
+  EXPECT_DOUBLE_EQ(field_of(frame, "velocity").values[0], std::sqrt(110.0));
+  EXPECT_DOUBLE_EQ(field_of(frame, "velocity.magnitude").values[0], std::sqrt(110.0));
   EXPECT_EQ(field_of(frame, "radius").values, (std::vector<double>{1.0, 2.0}));
   EXPECT_EQ(field_of(frame, "stress.mean").values, (std::vector<double>{2.0, -2.0}));
   EXPECT_EQ(field_of(frame, "von_mises").unit, "Pa");

@@ -85,7 +85,8 @@ TEST(ParticleInterpolation, IsExactForLinearFieldsWhereALatticeIsSymmetricAround
 }
 
 TEST(ParticleInterpolation, ConvergesForSmoothFieldsOnALattice) {
-  // sin over shrinking lattices: the Shepard mean with fixed h/dx is of second order there.
+  // sin over shrinking lattices: the Shepard mean with fixed h/dx is of second order there at least; at single points the
+  // leading error may vanish.
   double previous = 0.0;
   for (const double scale : {1.0, 0.5}) {
     Frame frame = make_lattice(1, 0.0);
@@ -97,7 +98,7 @@ TEST(ParticleInterpolation, ConvergesForSmoothFieldsOnALattice) {
     const auto sampled = ParticleInterpolation(frame, {}).at(point, std::array{field});
     const double error = std::abs(sampled.values[0][0] - std::sin(point[0])) / std::sin(point[0]);
     if (previous > 0.0) {
-      EXPECT_NEAR(std::log2(previous / error), 2.0, 0.2);
+      EXPECT_GT(std::log2(previous / error), 1.8);
     }
     previous = error;
   }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,7 +19,16 @@ constexpr double pi = std::numbers::pi;
 using Keys = std::map<std::string, Value>;
 
 BodyDescription body_of(const std::string& type, const Keys& keys) {
-  BodyDescription body{"body", {type, {}}, "cubic", "copper", {}, 0.0, {}};
+  BodyDescription body{.name = "body",
+                       .shape = {type, {}},
+                       .lattice = "cubic",
+                       .rotation = {},
+                       .jitter = 0.0,
+                       .material = "copper",
+                       .velocity = {},
+                       .hydrostatic = false,
+                       .radial_velocity = 0.0,
+                       .deviatoric_stress = {}};
   for (const auto& [key, value] : keys) body.shape.parameters.set(key, value);
   return body;
 }
@@ -210,6 +220,69 @@ TEST(Rings, AreTurnedByTheirAngle) {
     }
   }
   EXPECT_THROW(place_body<2>(shell("cubic", "half", turn), 2e-3), InputError);
+}
+
+template <int D>
+Vec<D> outward_normal(const PlacedBody<D>& placed, const BodyFacet<D>& facet) {
+  const auto at = [&](std::size_t corner) { return placed.positions[static_cast<std::size_t>(facet[corner])]; };
+  if constexpr (D == 3) return (at(2) - at(0)).cross(at(3) - at(1)).normalized();
+  if constexpr (D == 2) {
+    const Vec<2> along = at(1) - at(0);
+    return Vec<2>(along[1], -along[0]).normalized();
+  }
+}
+
+/// Every facet looks away from the middle of a convex body.
+template <int D>
+void expect_facets_to_look_outward(const PlacedBody<D>& placed, const Vec<D>& middle) {
+  for (const auto& facet : placed.facets) {
+    Vec<D> centre = Vec<D>::Zero();
+    for (const std::int32_t corner : facet) centre += placed.positions[static_cast<std::size_t>(corner)];
+    centre /= static_cast<double>(facet.size());
+    EXPECT_GT(outward_normal<D>(placed, facet).dot(centre - middle), 0.0);
+  }
+}
+
+TEST(Placement, FaceLatticeStandsOnTheFacesAndSharesTheCells) {
+  BodyDescription body = box({0.0, 0.0, 0.0}, {2e-3, 3e-3, 4e-3});
+  body.lattice = "face_lattice";
+  const auto placed = place_body<3>(body, 1e-3);
+  EXPECT_EQ(placed.positions.size(), 3U * 4 * 5);
+  EXPECT_NEAR(placed.volumes.front(), 1e-9 / 8.0, 1e-21);  // a corner
+  double volume = 0.0, area = 0.0;
+  for (const double one : placed.volumes) volume += one;
+  EXPECT_NEAR(volume, 24e-9, 1e-20);
+  EXPECT_EQ(placed.facets.size(), 2U * (2 * 3 + 3 * 4 + 2 * 4));
+  for (const auto& point : placed.surface) area += point.area;
+  EXPECT_NEAR(area, 52e-6, 1e-15);
+  expect_facets_to_look_outward<3>(placed, Vec<3>(1e-3, 1.5e-3, 2e-3));
+}
+
+TEST(Placement, FaceLatticeInTwoDimensionsHasFacetsAllRound) {
+  BodyDescription body = box({0.0, 0.0}, {2e-3, 3e-3});
+  body.lattice = "face_lattice";
+  const auto placed = place_body<2>(body, 1e-3);
+  EXPECT_EQ(placed.positions.size(), 12U);
+  EXPECT_EQ(placed.facets.size(), 10U);
+  expect_facets_to_look_outward<2>(placed, Vec<2>(1e-3, 1.5e-3));
+}
+
+TEST(Placement, FilledCellsKnowTheirOpenSides) {
+  const auto placed = place_body<3>(box({0.0, 0.0, 0.0}, {2e-3, 3e-3, 4e-3}), 1e-3);
+  double area = 0.0;
+  for (const auto& point : placed.surface) {
+    EXPECT_NEAR(point.offset.norm(), 0.5e-3, 1e-15);
+    area += point.area;
+  }
+  EXPECT_NEAR(area, 52e-6, 1e-15);
+}
+
+TEST(Placement, RotationTurnsTheBodyAboutTheOrigin) {
+  BodyDescription body = box({1e-3, 0.0, 0.0}, {3e-3, 1e-3, 1e-3});
+  body.rotation = {0.0, 0.0, 0.5 * pi};
+  const auto placed = place_body<3>(body, 1e-3);
+  ASSERT_EQ(placed.positions.size(), 2U);
+  EXPECT_NEAR((placed.positions[0] - Vec<3>(-0.5e-3, 1.5e-3, 0.5e-3)).norm(), 0.0, 1e-15);
 }
 
 }  // namespace
