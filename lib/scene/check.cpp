@@ -33,6 +33,13 @@ void check_strain_state(const Domain& domain, Contradictions& found) {
                                domain.dimension, domain.dimension == 1 ? "" : "s", fmt::join(states, " or "))});
 }
 
+void check_gravity(const Domain& domain, Contradictions& found) {
+  if (domain.gravity.size() == static_cast<std::size_t>(domain.dimension)) return;
+  found.push_back(
+      {"domain.gravity", fmt::format("it has {} components, and {} belong to {} dimension{}", domain.gravity.size(),
+                                     domain.dimension, domain.dimension, domain.dimension == 1 ? "" : "s")});
+}
+
 void check_times(const Scene& scene, Contradictions& found) {
   constexpr double most_frames = 1e6;  // the numbers of frame files have six digits
   const double end = scene.time.end;
@@ -398,6 +405,7 @@ void check_bodies(const Scene& scene, Contradictions& found) {
 std::vector<Contradiction> find_contradictions(const Scene& scene) {
   Contradictions found;
   check_strain_state(scene.domain, found);
+  check_gravity(scene.domain, found);
   check_times(scene, found);
   check_normals(scene, found);
   check_pressures(scene, found);

@@ -238,6 +238,9 @@ void fill_derived_defaults(Scene& scene) {
     const std::string_view by_dimension[] = {"uniaxial_strain", "plane_strain", "full"};
     scene.domain.strain_state = by_dimension[scene.domain.dimension - 1];
   }
+  // Read before the dimension is known.
+  if (scene.domain.gravity == std::vector<double>{0.0})
+    scene.domain.gravity.assign(static_cast<std::size_t>(scene.domain.dimension), 0.0);
   if (scene.discretisation.momentum_form.empty())
     scene.discretisation.momentum_form = scene.discretisation.method == "cspm" ? "difference" : "sum";
   constexpr int usual_frames = 20;

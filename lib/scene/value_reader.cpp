@@ -256,7 +256,9 @@ std::optional<Value> read_value(const Key& key, const toml::node& node, const st
 
 Value default_value(const Key& key, int dimension) {
   Value value = key.standard.value();
-  if (auto* numbers = std::get_if<std::vector<double>>(&value); numbers != nullptr && key.kind == ValueKind::vector)
+  // Before the dimension is known, one number stands for all.
+  if (auto* numbers = std::get_if<std::vector<double>>(&value);
+      numbers != nullptr && key.kind == ValueKind::vector && dimension > 0)
     numbers->assign(static_cast<std::size_t>(dimension), numbers->front());
   return value;
 }

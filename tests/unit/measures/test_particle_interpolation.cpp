@@ -85,8 +85,8 @@ TEST(ParticleInterpolation, IsExactForLinearFieldsWhereALatticeIsSymmetricAround
 }
 
 TEST(ParticleInterpolation, ConvergesForSmoothFieldsOnALattice) {
-  // sin over shrinking lattices: the Shepard mean with fixed h/dx is of second order there at least; at single points the
-  // leading error may vanish.
+  // sin over shrinking lattices: the Shepard mean with fixed h/dx is of second order there at least; at single points
+  // the leading error may vanish.
   double previous = 0.0;
   for (const double scale : {1.0, 0.5}) {
     Frame frame = make_lattice(1, 0.0);

@@ -58,7 +58,8 @@ TYPED_TEST(FluidTermsIn, DensityDiffusionIsItsSumAndKeepsTheWhole) {
     for (std::size_t j = 0; j < cloud.count; ++j) {
       if (i == j) continue;
       const ScalarPair<D> pair = cloud.pair(i, j);
-      const double speed = 0.5 * (cloud.sound_speed[i] + cloud.sound_speed[j]), density = cloud.scalar(field::density, i);
+      const double speed = 0.5 * (cloud.sound_speed[i] + cloud.sound_speed[j]),
+                   density = cloud.scalar(field::density, i);
       const double at_rest = -density * gravity.dot(pair.x) / (cloud.sound_speed[i] * cloud.sound_speed[i]);
       const double term = 0.2 * cloud.volume(j) * pair.h * speed *
                           (cloud.scalar(field::density, j) - density - at_rest) * -pair.x.dot(pair.gradient) /
