@@ -261,6 +261,7 @@ PairNeeds needs_of(const Terms& terms) {
     needs.nominal |= term->needs().nominal;
     needs.response |= term->needs().response;
     needs.slope |= term->needs().slope;
+    needs.correction |= term->needs().correction;
   }
   return needs;
 }

@@ -58,7 +58,10 @@ void Solver<D>::accelerate(double kick) {
       pack_motion(tile.range);
     });
   kick_ = kick;
-  if (!walls_.empty()) load_walls(kick);
+  if (!walls_.empty()) {
+    move_walls(0.0);  // with the smoothing lengths of now: what a restart finds
+    load_walls(kick);
+  }
   fill_image_places();
   fill_image_states();
   load_faces(kick);

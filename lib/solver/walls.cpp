@@ -99,14 +99,10 @@ void Solver<D>::load_walls(double kick) {
   weigh_walls(false);
   fill_image_places();
   fill_image_states();
-  for_each_wall_tile([&](const Tile& tile, Scratch& scratch, WallReport<D>& report) {
+  for_each_wall_tile([&](const Tile& tile, Scratch& scratch, WallReport<D>&) {
     const DummyRows<D>& wall = *walls_[static_cast<std::size_t>(tile.body)];
-    report.impulse.setZero();
-    report.motion_work = report.viscous_loss = 0.0;
     if (!wall.interpolates()) return;
-    PairNeeds needs = recipe_.force_needs;
-    needs.value = true;
-    const PairTile<D> pairs = open_tile(tile, scratch, needs);
+    const PairTile<D> pairs = open_tile(tile, scratch, {.value = true});
     for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) interpolate(pairs, wall, i);
     for (const auto& force : recipe_.forces) force->pack(tile.range, records_);
     for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
@@ -114,6 +110,13 @@ void Solver<D>::load_walls(double kick) {
       wall_weight_[i - bodies_end()] = weight;
       weight = 0.0;
     }
+  });
+  // Packing shows a dummy particle's weight for a moment: no sum may run before all are hidden again.
+  for_each_wall_tile([&](const Tile& tile, Scratch& scratch, WallReport<D>& report) {
+    report.impulse.setZero();
+    report.motion_work = report.viscous_loss = 0.0;
+    if (!walls_[static_cast<std::size_t>(tile.body)]->interpolates()) return;
+    const PairTile<D> pairs = open_tile(tile, scratch, recipe_.force_needs);
     double* acceleration = scratch.per_particle.data();
     std::fill_n(acceleration, tile.range.count() * D, 0.0);
     std::fill_n(scratch.loss.data(), tile.range.count(), 0.0);

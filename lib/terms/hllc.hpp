@@ -64,8 +64,8 @@ class Hllc final : public ForceTerm<D> {
       double* response = records.response[i];
       response[response_pressure] = pressure_[i];
       response[response_density] = medium[1];
-      response[response_elastic_speed] = medium[0];
-      response[response_plastic_speed] = std::sqrt(medium[0] * medium[0] - shear / medium[1]);
+      response[response_elastic_speed] = std::sqrt(medium[0] * medium[0] + shear / medium[1]);
+      response[response_plastic_speed] = medium[0];
       response[response_shear] = shear;
       response[response_inverse_shear] = shear > 0.0 ? 1.0 / shear : 0.0;
       response[response_limit] = 2.0 / 3.0 * strength.yield_stress(i);

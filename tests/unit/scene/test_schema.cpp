@@ -49,8 +49,8 @@ TEST(Schema, EveryKeyIsRequiredOrHasADefault) {
 
 /// Units have one spelling each, and the last word of a key's name says which it must be.
 TEST(Schema, NumbersCarryTheUnitOfTheirName) {
-  const std::set<std::string_view> units = {"",      "m",  "m/s", "m/s2", "s",        "1/s",
-                                            "kg/m3", "Pa", "K",   "J/kg", "J/(kg K)", "W/(m K)"};
+  const std::set<std::string_view> units = {"",  "m",    "m/s",      "m/s2",    "s",   "1/s",  "kg/m3",   "Pa",
+                                            "K", "J/kg", "J/(kg K)", "W/(m K)", "rad", "Pa s", "degrees", "m2/s2"};
   const std::map<std::string_view, std::string_view> by_name = {
       {"modulus", "Pa"}, {"stress", "Pa"}, {"pressure", "Pa"},  {"density", "kg/m3"}, {"velocity", "m/s"},
       {"spacing", "m"},  {"length", "m"},  {"radius", "m"},     {"min", "m"},         {"max", "m"},

@@ -74,8 +74,8 @@ RiemannSide<double> side_of(HllcCloud<D>& hllc, std::size_t i, const Vec<D>& n) 
           .stress = stress,
           .deviator = stress + cloud.scalar(field::pressure, i),
           .density = density,
-          .elastic_speed = speed,
-          .plastic_speed = std::sqrt(speed * speed - shear / density),
+          .elastic_speed = std::sqrt(speed * speed + shear / density),
+          .plastic_speed = speed,
           .shear = shear,
           .inverse_shear = 1.0 / shear,
           .limit = 2.0 / 3.0 * 2e9};
