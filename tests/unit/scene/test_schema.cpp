@@ -52,10 +52,10 @@ TEST(Schema, NumbersCarryTheUnitOfTheirName) {
   const std::set<std::string_view> units = {"",  "m",    "m/s",      "m/s2",    "s",   "1/s",  "kg/m3",   "Pa",
                                             "K", "J/kg", "J/(kg K)", "W/(m K)", "rad", "Pa s", "degrees", "m2/s2"};
   const std::map<std::string_view, std::string_view> by_name = {
-      {"modulus", "Pa"}, {"stress", "Pa"}, {"pressure", "Pa"},  {"density", "kg/m3"}, {"velocity", "m/s"},
-      {"spacing", "m"},  {"length", "m"},  {"radius", "m"},     {"min", "m"},         {"max", "m"},
-      {"centre", "m"},   {"point", "m"},   {"base", "m"},       {"end", "s"},         {"interval", "s"},
-      {"ratio", ""},     {"fraction", ""}, {"coefficient", ""}, {"normal", ""},       {"cfl", ""},
+      {"modulus", "Pa"}, {"stress", "Pa"}, {"pressure", "Pa"}, {"density", "kg/m3"}, {"velocity", "m/s"},
+      {"spacing", "m"},  {"length", "m"},  {"radius", "m"},    {"min", "m"},         {"max", "m"},
+      {"centre", "m"},   {"point", "m"},   {"base", "m"},      {"end", "s"},         {"interval", "s"},
+      {"ratio", ""},     {"fraction", ""}, {"normal", ""},     {"cfl", ""},
   };
   for (const auto& [path, key] : all_keys()) {
     if (!is_numeric(key->kind)) {
