@@ -8,7 +8,6 @@
 #include <random>
 #include <vector>
 
-#include "anvil/core/error.hpp"
 #include "anvil/core/field_keys.hpp"
 #include "anvil/kernels/kernel.hpp"
 #include "anvil/pairs/neighbour_list.hpp"
@@ -21,18 +20,9 @@ struct Dimension {
 };
 using Dimensions = testing::Types<Dimension<1>, Dimension<2>, Dimension<3>>;
 
-/// Tests in 1, 2 and 3 dimensions, skipped where this machine cannot run the instruction set ANVIL_SIMD asks for.
+/// Tests in 1, 2 and 3 dimensions.
 template <class T>
-class InEachDimension : public testing::Test {
- protected:
-  void SetUp() override {
-    try {
-      (void)simd_level();
-    } catch (const InputError& error) {
-      GTEST_SKIP() << error.what();
-    }
-  }
-};
+class InEachDimension : public testing::Test {};
 
 /// A lattice of per_axis^D points, each moved by up to `jitter` spacings per axis.
 template <int D>
