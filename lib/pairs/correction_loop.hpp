@@ -43,19 +43,22 @@ ANVIL_INLINE bool invert_moment(const double* a, double* inverse) {
 /// since gradients lie along x_ij. Returns how many particles kept the plain gradient because their A cannot be
 /// inverted.
 template <int D>
-int correct_gradients(const PairTile<D>& tile, const PairRecords<D>& records) {
+int correct_gradients(const PairTile<D>& opened, const PairRecords<D>& records) {
   using L = Lanes<lanes<D>>;
+  const PairTile<D> tile = opened;  // these stay in registers while the loop writes
+  const auto geometry = records.geometry.rows();
+  const auto velocities = records.motion.rows();
   constexpr int components = symmetric_components<D>;
   constexpr int row_of[] = {0, 1, D == 2 ? 0 : 2, 0, 1, 0}, column_of[] = {0, 1, D == 2 ? 1 : 2, 1, 2, 2};
   int kept = 0;
   for_each_row(tile, [&](std::int32_t i, std::int64_t begin, std::int64_t end) ANVIL_INLINE_LAMBDA {
-    const double* own = records.geometry[static_cast<std::size_t>(i)];
+    const double* own = geometry[static_cast<std::size_t>(i)];
     L sum[components];
     for (auto& component : sum) component = L(0.0);
     for (std::int64_t k = begin; k < end; k += lanes<D>) {
       L place[PairRecords<D>::small], motion[PairRecords<D>::small];
-      load_record(records.geometry, tile.neighbour + k, place);
-      load_record(records.motion, tile.neighbour + k, motion);
+      load_record(geometry, tile.neighbour + k, place);
+      load_record(velocities, tile.neighbour + k, motion);
       const std::int64_t at = k - tile.first[tile.begin];
       for (int c = 0; c < components; ++c) {
         const L weighted = motion[D] * L::load(tile.plain_gradient[static_cast<std::size_t>(column_of[c])] + at);

@@ -8,14 +8,16 @@ namespace anvil::ANVIL_SIMD_LEVEL {
 /// Fills the pairs of a tile: grad_ij = (dW/dr) x_ij / r and, when wanted, W_ij, both at h_ij = (h_i + h_j)/2, which
 /// makes grad_ij = -grad_ji to the last bit.
 template <int D, class Kernel, bool Gradient, bool Value>
-void fill_pairs(const PairTile<D>& tile, const PairRecords<D>& records) {
+void fill_pairs(const PairTile<D>& opened, const PairRecords<D>& records) {
   using L = Lanes<lanes<D>>;
+  const PairTile<D> tile = opened;  // both stay in registers while the loop writes
+  const auto geometry = records.geometry.rows();
   const L norm(Kernel::normalisation(D));
   for_each_row(tile, [&](std::int32_t i, std::int64_t begin, std::int64_t end) ANVIL_INLINE_LAMBDA {
-    const double* own = records.geometry[static_cast<std::size_t>(i)];
+    const double* own = geometry[static_cast<std::size_t>(i)];
     for (std::int64_t k = begin; k < end; k += lanes<D>) {
       L other[PairRecords<D>::small];
-      load_record(records.geometry, tile.neighbour + k, other);
+      load_record(geometry, tile.neighbour + k, other);
       L x_ij[D], r_squared(0.0);
       for (int a = 0; a < D; ++a) {
         x_ij[a] = L(own[a]) - other[a];

@@ -19,9 +19,10 @@ ANVIL_INLINE void for_each_row(const PairTile<D>& tile, Row&& row) {
   for (std::int32_t i = tile.begin; i < tile.end; ++i) row(i, tile.first[i], tile.first[i + 1]);
 }
 
-/// The records of the N neighbours from `index` on, field by field.
-template <int N, int Size>
-ANVIL_INLINE void load_record(const Records<Size>& records, const std::int32_t* index, Lanes<N>* out) {
+/// The records (Records or their Rows) of the N neighbours from `index` on, field by field.
+template <int N, class SomeRecords>
+ANVIL_INLINE void load_record(const SomeRecords& records, const std::int32_t* index, Lanes<N>* out) {
+  constexpr int Size = SomeRecords::size;
   if constexpr (Size == 2) {
     load_two_fields<N>(records.raw(), index, out);
   } else {

@@ -32,6 +32,15 @@ class Records {
   [[nodiscard]] const double* operator[](std::size_t i) const { return values_.data() + i * Size; }
   [[nodiscard]] const double* raw() const { return values_.data(); }
 
+  /// Where the records stand, for loops that write in between: a copy of this needs not be read again after a write.
+  struct Rows {
+    static constexpr int size = Size;
+    const double* values;
+    [[nodiscard]] const double* operator[](std::size_t i) const { return values + i * Size; }
+    [[nodiscard]] const double* raw() const { return values; }
+  };
+  [[nodiscard]] Rows rows() const { return {values_.data()}; }
+
  private:
   std::vector<double, boost::alignment::aligned_allocator<double, 64>> values_;
 };
