@@ -18,9 +18,8 @@ double value_at(const Curve& curve, double x) {
     largest = std::max(largest.value_or(y), y);
   }
   if (largest) return *largest;
-  const auto nearest = std::min_element(curve.x.begin(), curve.x.end(),
-                                        [x](double a, double b) { return std::abs(a - x) < std::abs(b - x); });
-  return curve.y[static_cast<std::size_t>(nearest - curve.x.begin())];
+  const bool before = std::abs(curve.x.front() - x) <= std::abs(curve.x.back() - x);
+  return before ? curve.y.front() : curve.y.back();
 }
 
 double relative_distance(const Curve& curve, const Curve& reference) {

@@ -12,7 +12,8 @@ struct Curve {
 };
 
 /// y at `x` by linear interpolation. Where a line turns back and passes `x` several times, the largest y: of an
-/// outline, the outermost. Beyond its ends, the y of the point nearest in x. The curve must hold a point.
+/// outline, the outermost. At an x it never reaches, the y of its nearer end: under a foot that curls up, that of its
+/// rim. The curve must hold a point.
 double value_at(const Curve& curve, double x);
 
 /// Distance of a curve from a reference at the abscissae of the reference, relative:

@@ -253,6 +253,23 @@ void check_method(const Scene& scene, Contradictions& found) {
                      scene.domain.dimension)});
 }
 
+void check_local_steps(const Scene& scene, Contradictions& found) {
+  if (!scene.time.local_steps) return;
+  const auto refuse = [&](const std::string& sentence) { found.push_back({"time.local_steps", sentence}); };
+  if (scene.discretisation.method != "total_lagrangian")
+    refuse("only bodies of the method total_lagrangian are stepped in parts; leave the key out");
+  if (scene.bodies.size() > 1) refuse("bodies that meet take their steps together; leave the key out");
+  for (const auto& boundary : scene.boundaries) {
+    const bool penalty = boundary.entry.type == "rigid_wall" && boundary.entry.parameters.text("contact") == "penalty";
+    if (penalty || boundary.entry.type == "pressure")
+      refuse(
+          fmt::format("the force of boundary '{}' acts in steps of all particles; leave the key out", boundary.name));
+  }
+  const auto& gravity = scene.domain.gravity;
+  if (std::any_of(gravity.begin(), gravity.end(), [](double g) { return g != 0.0; }))
+    refuse("gravity acts in steps of all particles; leave the key out");
+}
+
 /// What total Lagrangian sums cannot do, and what only they can.
 void check_total_lagrangian(const Scene& scene, Contradictions& found) {
   const auto refuse = [&](const char* key, const std::string& sentence) { found.push_back({key, sentence}); };
@@ -412,6 +429,7 @@ std::vector<Contradiction> find_contradictions(const Scene& scene) {
   check_planes_and_periods(scene, found);
   check_method(scene, found);
   check_total_lagrangian(scene, found);
+  check_local_steps(scene, found);
   check_rotations(scene, found);
   check_hllc(scene, found);
   check_neighbours(scene, found);

@@ -100,6 +100,7 @@ struct TimeControl {
   double end;  // s
   double cfl;
   double minimum_step_fraction;  // of the first step: below it the run stops as collapsed
+  bool local_steps;              // short steps only where a total Lagrangian body is squeezed
   bool operator==(const TimeControl&) const = default;
 };
 

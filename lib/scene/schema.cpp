@@ -228,6 +228,11 @@ Section<TimeControl> time_section() {
             .range = Range::fraction,
             .help = "the run stops as collapsed when a step falls below this part of the first one"},
            &TimeControl::minimum_step_fraction},
+          {{.name = "local_steps",
+            .kind = ValueKind::flag,
+            .standard = false,
+            .help = "short steps only where a body of the method total_lagrangian is squeezed, long ones elsewhere"},
+           &TimeControl::local_steps},
       }};
 }
 

@@ -23,6 +23,9 @@ std::string in_brackets(const Vec<D>& vector) {
 template <int D>
 void Solver<D>::check_reports() const {
   for (const auto& report : reports_) {
+    if (report.inverted_edge_at >= 0)
+      stop_at(report.inverted_edge_at,
+              "an edge at it has turned inside out: the body is deformed further than its lattice can follow");
     if (report.broken_particle < 0) continue;
     const auto i = static_cast<std::size_t>(report.broken_particle);
     if (!std::isfinite(position_[i].sum()) || !std::isfinite(velocity_[i].sum()))

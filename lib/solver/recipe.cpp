@@ -100,7 +100,9 @@ void add_forces(const Scene& scene, FieldStore& fields, Recipe<D>& recipe) {
         std::make_unique<BulkViscosity<D>>(fields, scene.shock.bulk_linear_coefficient,
                                            scene.shock.bulk_quadratic_coefficient, scene.discretisation.spacing);
   if (recipe.deformation) {
-    recipe.forces.push_back(std::make_unique<NominalMomentum<D>>(fields, *recipe.deformation, recipe.edges));
+    auto momentum = std::make_unique<NominalMomentum<D>>(fields, *recipe.deformation, recipe.edges);
+    recipe.nominal_momentum = momentum.get();
+    recipe.forces.push_back(std::move(momentum));
     return;
   }
   recipe.corrected_gradients = scene.discretisation.method != "sph";

@@ -19,6 +19,7 @@
 #include "anvil/terms/bulk_viscosity.hpp"
 #include "anvil/terms/force_term.hpp"
 #include "anvil/terms/line_transport.hpp"
+#include "anvil/terms/nominal_momentum.hpp"
 #include "anvil/terms/velocity_filter.hpp"
 #include "anvil/terms/wall_penalty.hpp"
 #include "anvil/total_lagrangian/deformation.hpp"
@@ -54,9 +55,10 @@ struct Recipe {
   std::unique_ptr<BulkViscosity<D>> bulk_viscosity;
   // Only in total Lagrangian scenes: the terms' gradients are then those of the start.
   std::unique_ptr<Deformation<D>> deformation;
-  EdgePoints<D>* edges = nullptr;                     // one of the forces
-  std::vector<const WallPenalty<D>*> wall_penalties;  // among the forces
-  std::unique_ptr<Contact<D>> contact;                // where sums do not join bodies
+  const NominalMomentum<D>* nominal_momentum = nullptr;  // of a total Lagrangian scene, one of the forces
+  EdgePoints<D>* edges = nullptr;                        // one of the forces
+  std::vector<const WallPenalty<D>*> wall_penalties;     // among the forces
+  std::unique_ptr<Contact<D>> contact;                   // where sums do not join bodies
   Images<D> images;                            // behind symmetry planes and mirror walls, beyond the ends of periods
   std::vector<MirrorPlane<D>> mirror_walls;    // which particles can cross
   std::vector<WallForceTerm<D>*> wall_forces;  // among the forces

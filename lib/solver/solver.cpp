@@ -64,6 +64,10 @@ Solver<D>::Solver(const Scene& scene)
   else
     list_neighbours();
   find_corrections();
+  if (scene.time.local_steps) {
+    local_steps_.emplace();
+    find_near_tiles();
+  }
   strain(0.0);
   first_step_limit_ = step_limit_;
   ledger_.start_energy = kinetic_energy() + stored_energy() + energy_stored_by_walls();

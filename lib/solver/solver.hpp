@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "anvil/pairs/neighbour_list.hpp"
+#include "anvil/solver/local_steps.hpp"
 #include "anvil/solver/recipe.hpp"
 #include "anvil/solver/simulation.hpp"
 
@@ -30,7 +32,8 @@ struct TileReport {
   double greatest_growth = 0.0;                            // m, of smoothing lengths since then
   double step_limit = std::numeric_limits<double>::max();  // s
   std::int32_t limiting_particle = -1;
-  std::int32_t broken_particle = -1;  // the first whose numbers are no longer any, or that went where none may
+  std::int32_t inverted_edge_at = -1;  // a particle of a total Lagrangian body
+  std::int32_t broken_particle = -1;   // the first whose numbers are no longer any, or that went where none may
 };
 
 /// The same for a tile of dummy particles.
@@ -116,6 +119,14 @@ class Solver final : public Simulation {
   void limit_and_check_deformed(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report);
   void collect_strain_reports();
 
+  void find_near_tiles();  // local_steps.cpp
+  void advance_locally(double latest);
+  void give_impulses(int part, double short_step, double long_step);
+  void move_locally(int part, double short_step, double long_step);
+  void strain_locally(const std::vector<std::int32_t>& particles, const std::vector<std::int32_t>& edges,
+                      double time_step);
+  void pack_mean_velocities(double long_step);
+
   void accelerate_tile(const Tile& tile, Scratch& scratch, double kick, TileReport<D>& report);
   void filter_tile(const Tile& tile, const VelocityFilter<D>& filter, Scratch& scratch, double time_step,
                    TileReport<D>& report);
@@ -139,6 +150,11 @@ class Solver final : public Simulation {
   // solver.cpp and tiles.hpp
   template <class Work>
   void for_each_tile(Work&& work);
+  template <class Work>
+  void for_each_tile_of(const std::vector<std::int32_t>& tiles, Work&& work);
+  [[nodiscard]] std::size_t tile_index(const Tile& tile) const {
+    return static_cast<std::size_t>(&tile - tiles_.data());
+  }
   PairTile<D> open_tile(const Tile& tile, Scratch& scratch, PairNeeds needs) const;
   void make_tiles();
   void size_scratch();
@@ -200,6 +216,7 @@ class Solver final : public Simulation {
   std::vector<WallReport<D>> wall_reports_;
   std::vector<double> wall_weight_;  // of dummy particles in momentum sums
   double* wall_deviator_ = nullptr;  // of all particles, packed; null in a fluid
+  std::optional<LocalSteps> local_steps_;
   std::vector<Scratch> scratch_;
   bool medium_needed_ = false;
   bool smoothing_length_varies_ = true;

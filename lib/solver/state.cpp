@@ -54,6 +54,7 @@ const std::vector<T>& numbers_of(const State& state, const std::string& name, st
 constexpr const char* clock_name = "clock";    // time, last step, step limit, first step limit
 constexpr const char* counts_name = "counts";  // steps, list builds, limiting particle
 constexpr const char* ledger_name = "ledger";
+constexpr const char* local_steps_name = "local_steps";  // of the stresses of particles, then of edges, by tile
 
 }  // namespace
 
@@ -68,6 +69,11 @@ State Solver<D>::state() const {
   state[clock_name] = {1, std::vector<double>{time_, time_step_, step_limit_, first_step_limit_}};
   state[counts_name] = {1, std::vector<std::int64_t>{step_, list_builds_, limiting_particle_}};
   state[ledger_name] = {1, ledger_numbers(ledger_)};
+  if (local_steps_) {
+    std::vector<double> steps = local_steps_->particle_step;
+    steps.insert(steps.end(), local_steps_->edge_step.begin(), local_steps_->edge_step.end());
+    state[local_steps_name] = {1, std::move(steps)};
+  }
   return state;
 }
 
@@ -82,6 +88,7 @@ void Solver<D>::restore(const State& state) {
   const auto& clock = numbers_of<double>(state, clock_name, 4);
   const auto& counts = numbers_of<std::int64_t>(state, counts_name, 3);
   const auto& ledger = numbers_of<double>(state, ledger_name, 11 + 5 * D);
+  if (local_steps_) (void)numbers_of<double>(state, local_steps_name, 2 * tiles_.size());
   const auto load = [&](const std::string& kind, FieldStore& store) {
     // The views of the terms point into the fields: their memory stays where it is.
     for (auto& field : store.fields()) {
@@ -103,6 +110,12 @@ void Solver<D>::restore(const State& state) {
   if (recipe_.edges) load("edge/", recipe_.edges->fields());
   strain(0.0);  // no time passes: fills the records that the next step reads
 
+  if (local_steps_) {
+    const auto& steps = numbers_of<double>(state, local_steps_name, 2 * tiles_.size());
+    std::copy_n(steps.begin(), tiles_.size(), local_steps_->particle_step.begin());
+    std::copy_n(steps.begin() + static_cast<std::ptrdiff_t>(tiles_.size()), tiles_.size(),
+                local_steps_->edge_step.begin());
+  }
   time_ = clock[0];
   time_step_ = clock[1];
   step_limit_ = clock[2];

@@ -29,6 +29,7 @@ void take_to_mid_step(double* gradients, int count, double time_step) {
 template <int D>
 void Solver<D>::advance(double latest) {
   if (scratch_.size() < static_cast<std::size_t>(thread_count())) size_scratch();  // threads were added meanwhile
+  if (local_steps_) return advance_locally(latest);
   const double time_step = choose_time_step(latest);
   accelerate(0.5 * (time_step_ + time_step));  // leapfrog: from the middle of the last step to that of this one
   filter_velocities(time_step);
@@ -454,14 +455,16 @@ void Solver<D>::find_step_limits(const Tile& tile, Scratch& scratch) const {
     limit[k] = std::min(limit[k], 0.125 * smoothing_length[k] * smoothing_length[k] * density[k] / body.viscosity);
 }
 
-template void Solver<1>::advance(double);
-template void Solver<2>::advance(double);
-template void Solver<3>::advance(double);
-template void Solver<1>::strain(double);
-template void Solver<2>::strain(double);
-template void Solver<3>::strain(double);
-template void Solver<1>::collect_strain_reports();
-template void Solver<2>::collect_strain_reports();
-template void Solver<3>::collect_strain_reports();
+#define ANVIL_INSTANTIATE(D)                                                                \
+  template void Solver<D>::advance(double);                                                 \
+  template void Solver<D>::accelerate_tile(const Tile&, Scratch&, double, TileReport<D>&);  \
+  template void Solver<D>::apply_boundaries(const Tile&, Scratch&, double, TileReport<D>&); \
+  template void Solver<D>::move_tile(const Tile&, double, TileReport<D>&);                  \
+  template void Solver<D>::strain(double);                                                  \
+  template void Solver<D>::collect_strain_reports()
+ANVIL_INSTANTIATE(1);
+ANVIL_INSTANTIATE(2);
+ANVIL_INSTANTIATE(3);
+#undef ANVIL_INSTANTIATE
 
 }  // namespace anvil

@@ -27,4 +27,17 @@ void Solver<D>::for_each_tile(Work&& work) {
       least_shared_tiles<D>);
 }
 
+/// The same for some of them, by their numbers.
+template <int D>
+template <class Work>
+void Solver<D>::for_each_tile_of(const std::vector<std::int32_t>& tiles, Work&& work) {
+  for_each_parallel(
+      static_cast<int>(tiles.size()),
+      [&](int item, int thread) {
+        const auto index = static_cast<std::size_t>(tiles[static_cast<std::size_t>(item)]);
+        work(tiles_[index], scratch_[static_cast<std::size_t>(thread)], reports_[index]);
+      },
+      least_shared_tiles<D>);
+}
+
 }  // namespace anvil

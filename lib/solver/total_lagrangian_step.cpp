@@ -44,7 +44,7 @@ void Solver<D>::deform_from_reference(const Tile& tile, Scratch& scratch, double
 template <int D>
 void Solver<D>::deform_edges(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
   const ParticleRange edges = recipe_.edges->edges_from(tile.range);
-  recipe_.edges->deform(edges, *recipe_.deformation, time_step, scratch.per_edge.data());
+  report.inverted_edge_at = recipe_.edges->deform(edges, *recipe_.deformation, time_step, scratch.per_edge.data());
   if (time_step > 0.0)
     report.plastic_work = recipe_.bodies[static_cast<std::size_t>(tile.body)].strength->update(
         edges, scratch.per_edge.data(), nullptr, time_step);
@@ -70,8 +70,13 @@ void Solver<D>::limit_and_check_deformed(const Tile& tile, const double* bulk_so
   }
 }
 
-template void Solver<1>::strain_from_reference(double);
-template void Solver<2>::strain_from_reference(double);
-template void Solver<3>::strain_from_reference(double);
+#define ANVIL_INSTANTIATE(D)                                                                     \
+  template void Solver<D>::strain_from_reference(double);                                        \
+  template void Solver<D>::deform_from_reference(const Tile&, Scratch&, double, TileReport<D>&); \
+  template void Solver<D>::deform_edges(const Tile&, Scratch&, double, TileReport<D>&)
+ANVIL_INSTANTIATE(1);
+ANVIL_INSTANTIATE(2);
+ANVIL_INSTANTIATE(3);
+#undef ANVIL_INSTANTIATE
 
 }  // namespace anvil

@@ -34,13 +34,17 @@ class NominalMomentum final : public ForceTerm<D> {
   }
   [[nodiscard]] PairNeeds needs() const override { return {.plain_gradient = true, .nominal = true}; }
 
-  void pack(ParticleRange range, PairRecords<D>& records) const override {
+  void pack(ParticleRange range, PairRecords<D>& records) const override { pack_impulses(range, 1.0, records); }
+
+  /// The stresses of the particles times `span` (s), together with the edges' as these are weighed: sums over pairs are
+  /// then changes of velocity, m/s.
+  void pack_impulses(ParticleRange range, double span, PairRecords<D>& records) const {
     for (std::size_t i = range.first(); i < range.last(); ++i) {
       const double pressure = pressure_[i] + (viscous_pressure_ == nullptr ? 0.0 : viscous_pressure_[i]);
       Square<D> stress = Square<D>::Identity() * -pressure;
       if (deviator_ != nullptr)
         stress += StrainState::deviator(deviator_ + i * StrainState::components).template topLeftCorner<D, D>();
-      Square<D> nominal = stress * cofactor<D>(deformation_.gradient(i));
+      Square<D> nominal = span * stress * cofactor<D>(deformation_.gradient(i));
       if (edges_ != nullptr) {
         Square<D> sum = Square<D>::Zero();
         edges_->add_nominal_stress(i, sum);

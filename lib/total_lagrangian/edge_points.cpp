@@ -14,7 +14,6 @@ template <int D>
 EdgePoints<D>::EdgePoints(FieldStore& particles, const std::vector<ParticleRange>& bodies, double spacing,
                           const Images<D>& images)
     : position_(particles.vector<D>(field::position)),
-      velocity_(particles.vector<D>(field::velocity)),
       initial_position_(particles.vector<D>(field::initial_position)),
       mass_(particles.scalar(field::mass)),
       density_(particles.scalar(field::density)) {
@@ -108,30 +107,35 @@ void EdgePoints<D>::share_volumes() {
   }
   share_.assign(edges_.size() * D * D, 0.0);
   pull_.assign(edges_.size() * D, 0.0);
+  deformation_.resize(edges_.size() * D * D);
+  for (std::size_t e = 0; e < edges_.size(); ++e) SquareMap<D>(&deformation_[e * D * D]).setIdentity();
   edge_density_ = fields_.scalar(field::density).data();
   deviator_ = fields_.vector<StrainStateOf<D>::Type::components>(field::deviatoric_stress).raw();
 }
 
 template <int D>
-void EdgePoints<D>::deform(ParticleRange edges, const Deformation<D>& particles, double time_step,
-                           double* velocity_gradients) {
-  const double half_step = 0.5 * time_step;
+std::int32_t EdgePoints<D>::deform(ParticleRange edges, const Deformation<D>& particles, double time_step,
+                                   double* velocity_gradients) {
+  const double per_step = time_step > 0.0 ? 1.0 / time_step : 0.0;
+  std::int32_t turned = -1;
   for (std::size_t e = edges.first(); e < edges.last(); ++e, velocity_gradients += D * D) {
     const Edge& edge = edges_[e];
     const auto i = static_cast<std::size_t>(edge.first), j = static_cast<std::size_t>(edge.second);
     const Square<D> mean = 0.5 * (particles.gradient(i) + particles.gradient(j));
-    const Square<D> mean_rate = 0.5 * (particles.rate(i) + particles.rate(j));
     const Vec<D> along = (position_[i] - position_[j]) / edge.length - mean * edge.direction;
-    const Vec<D> along_rate = (velocity_[i] - velocity_[j]) / edge.length - mean_rate * edge.direction;
     const Square<D> f = mean + along * edge.direction.transpose();
-    const Square<D> rate = mean_rate + along_rate * edge.direction.transpose();
-    const Square<D> middle = f - half_step * rate;
+    SquareMap<D> kept(&deformation_[e * D * D]);
+    const Square<D> rate = per_step * (f - kept), middle = 0.5 * (f + kept);
+    kept = f;
     const Square<D> cofactor_of_middle = cofactor<D>(middle), cofactor_of_f = cofactor<D>(f);
     SquareMap<D> gradient(velocity_gradients), pulled(&share_[e * D * D]);
     gradient.noalias() = rate * cofactor_of_middle.transpose() / determinant<D>(middle, cofactor_of_middle);
     pulled = cofactor_of_f;
-    edge_density_[e] = particles.reference_density(i) / determinant<D>(f, cofactor_of_f);
+    const double volume_ratio = determinant<D>(f, cofactor_of_f);
+    edge_density_[e] = particles.reference_density(i) / volume_ratio;
+    if (!(volume_ratio > 0.0) && turned < 0) turned = edge.first;
   }
+  return turned;
 }
 
 template <int D>
@@ -148,6 +152,12 @@ void EdgePoints<D>::pull_back(ParticleRange edges) {
     Eigen::Map<Vec<D>> pull(&pull_[e * D]);
     pull = along / edges_[e].length;
   }
+}
+
+template <int D>
+void EdgePoints<D>::weigh(ParticleRange edges, double span) {
+  for (std::size_t k = edges.first() * D * D; k < edges.last() * D * D; ++k) share_[k] *= span;
+  for (std::size_t k = edges.first() * D; k < edges.last() * D; ++k) pull_[k] *= span;
 }
 
 template <int D>
@@ -211,7 +221,7 @@ std::vector<double> EdgePoints<D>::mean_at_particles(const FieldKey& key) const 
 template <int D>
 double EdgePoints<D>::doubles_per_particle() const {
   double bytes = static_cast<double>(edges_.size() * sizeof(Edge) + incidences_.size() * sizeof(Incidence)) +
-                 static_cast<double>(sizeof(double) * (share_.size() + pull_.size()));
+                 static_cast<double>(sizeof(double) * (share_.size() + pull_.size() + deformation_.size()));
   for (const auto& field : fields_.fields()) bytes += static_cast<double>(sizeof(double) * field.values.size());
   return mass_.empty() ? 0.0 : bytes / static_cast<double>(sizeof(double) * mass_.size());
 }

@@ -34,10 +34,14 @@ class EdgePoints final : public ForceTerm<D> {
   }
 
   /// Density and cofactor of the edges of the range, and their velocity gradients in the middle of a step of time_step
-  /// (s) that has just ended, D x D per edge of the range, 1/s.
-  void deform(ParticleRange edges, const Deformation<D>& particles, double time_step, double* velocity_gradients);
+  /// (s) since the call before, D x D per edge of the range, 1/s. A step of zero sets where the next one starts.
+  /// Returns the particle at the first end of an edge that has turned inside out, -1 if there is none.
+  [[nodiscard]] std::int32_t deform(ParticleRange edges, const Deformation<D>& particles, double time_step,
+                                    double* velocity_gradients);
   /// Takes the edges' new deviators to the reference configuration.
   void pull_back(ParticleRange edges);
+  /// Multiplies what pull_back gave by `span` (s, or none: zero): forces become impulses.
+  void weigh(ParticleRange edges, double span);
   /// Adds to `sum` (D x D) what the edges at particle i add to its nominal stress, times its volume.
   void add_nominal_stress(std::size_t i, Square<D>& sum) const;
   /// Mean over the edges at each particle of a field of the edges, its components side by side.
@@ -68,7 +72,7 @@ class EdgePoints final : public ForceTerm<D> {
   void list_incidences();
   void share_volumes();
 
-  VectorView<D> position_, velocity_, initial_position_;
+  VectorView<D> position_, initial_position_;
   std::span<const double> mass_, density_;
   std::vector<std::int32_t> first_edge_;  // by first end
   std::vector<Edge> edges_;
@@ -80,6 +84,7 @@ class EdgePoints final : public ForceTerm<D> {
   // Of each edge, D x D: cof F_e, then V_e P_e (I - N N^T)/2 with P_e = s cof F_e, the share of each end; and the force
   // V_e P_e N/|X| that pulls its first end back.
   std::vector<double> share_, pull_;
+  std::vector<double> deformation_;  // F_e, D x D
   FieldStore fields_{0};
   double* edge_density_ = nullptr;
   const double* deviator_ = nullptr;

@@ -23,6 +23,12 @@ TEST(Curve, ThatTurnsBackGivesItsOutermostPassage) {
   EXPECT_DOUBLE_EQ(value_at(outline, 1.0), 8.0);
 }
 
+TEST(Curve, ThatCurlsUpEndsInItsRim) {
+  const Curve outline{{1.0, 0.8, 2.0, 5.0}, {8.0, 7.5, 6.0, 3.0}};
+  EXPECT_DOUBLE_EQ(value_at(outline, 0.5), 8.0);
+  EXPECT_DOUBLE_EQ(value_at(outline, 9.0), 3.0);
+}
+
 TEST(Curve, OfOnePointIsConstant) { EXPECT_DOUBLE_EQ(value_at({{1.0}, {5.0}}, 7.0), 5.0); }
 
 TEST(RelativeDistance, IsTheL2NormOverThatOfTheReference) {
