@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -154,6 +155,22 @@ void share_facets(PlacedBody<D>& placed, double spacing) {
     if (area[i] > 0.0) placed.surface.push_back({static_cast<std::int32_t>(i), Vec<D>::Zero(), area[i]});
 }
 
+/// Calls visit(index) as for_each_index does, but the axis with the most indices changes slowest: what is visited one
+/// after the other then lies in slabs across a long body, with few neighbours outside.
+template <int D, class Visit>
+void for_each_index_in_slabs(const Index<D>& count, Visit&& visit) {
+  std::array<std::size_t, D> axes;
+  std::iota(axes.begin(), axes.end(), std::size_t{0});
+  std::stable_sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) { return count[a] > count[b]; });
+  Index<D> sorted;
+  for (std::size_t k = 0; k < D; ++k) sorted[k] = count[axes[k]];
+  for_each_index<D>(sorted, [&](const Index<D>& at) {
+    Index<D> index;
+    for (std::size_t k = 0; k < D; ++k) index[axes[k]] = at[k];
+    visit(index);
+  });
+}
+
 /// One particle on each corner of a cell of the shape, with an equal share of every cell that it belongs to, and the
 /// faces between cells of the shape and the outside.
 template <int D>
@@ -181,7 +198,7 @@ PlacedBody<D> share_cells(const Shape<D>& shape, const Index<D>& cells, double s
   });
   PlacedBody<D> placed;
   std::vector<std::int32_t> particle_at(all, -1);
-  for_each_index<D>(corners, [&](Index<D> index) {
+  for_each_index_in_slabs<D>(corners, [&](Index<D> index) {
     const std::size_t number = corner_number<D>(index, cells);
     if (share[number] == 0.0) return;
     particle_at[number] = static_cast<std::int32_t>(placed.positions.size());

@@ -52,7 +52,8 @@ std::array<long long, D> count_cells(const Shape<D>& shape, double spacing);
 /// their volumes; those on the faces, edges and corners of a box have a half, a quarter and an eighth of a cell.
 /// The volumes add up to the exact volume of the shape whatever the spacing: where a curved face cuts cells, or a
 /// length is no whole number of spacings, all are scaled alike. The whole is then turned about the origin. Order: the
-/// last coordinate of the shape changes fastest. With the lattice `concentric` see place_concentric. Throws InputError
+/// last coordinate of the shape changes fastest; with `face_lattice` that along which the body is longest changes
+/// slowest. With the lattice `concentric` see place_concentric. Throws InputError
 /// when no cell lies in the shape, or too many do.
 template <int D>
 PlacedBody<D> place_body(const BodyDescription& body, double spacing);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A long step of a total Lagrangian scene in which the squeezed parts take several short ones. The parts are those of a
-// plain step, in its order: impulses, boundaries and drift, strain.
+// A long step of a total Lagrangian scene in which the squeezed parts take several shorter ones. The parts are those of
+// a plain step, in its order: impulses, boundaries and drift, strain.
 #include "anvil/solver/local_steps.hpp"
 
 #include <algorithm>
@@ -11,12 +11,17 @@
 namespace anvil {
 namespace {
 
-constexpr int greatest_ratio = 16;
+constexpr int highest_level = 5;  // 32 shortest steps
 
-LocalSteps::Tiles without(const LocalSteps::Tiles& all, const LocalSteps::Tiles& some) {
-  LocalSteps::Tiles rest;
-  std::set_difference(all.begin(), all.end(), some.begin(), some.end(), std::back_inserter(rest));
-  return rest;
+/// Whether a step of this level begins with the part, or ends before it.
+bool meets(int part, int level) { return part % (1 << level) == 0; }
+
+template <class Chosen>
+LocalSteps::Tiles tiles_where(const LocalSteps::Tiles& all, Chosen&& chosen) {
+  LocalSteps::Tiles found;
+  for (const std::int32_t tile : all)
+    if (chosen(static_cast<std::size_t>(tile))) found.push_back(tile);
+  return found;
 }
 
 }  // namespace
@@ -32,34 +37,24 @@ auto LocalSteps::around(const Tiles& tiles) const -> Tiles {
   return found;
 }
 
-auto LocalSteps::squeezed(const std::vector<double>& limit, double longest) const -> Tiles {
-  Tiles found;
-  for (const std::int32_t tile : all)
-    if (limit[static_cast<std::size_t>(tile)] < longest) found.push_back(tile);
-  return found;
+std::vector<int> LocalSteps::least_around(const std::vector<int>& level) const {
+  std::vector<int> least = level;
+  for (std::size_t t = 0; t < level.size(); ++t)
+    for (const std::int32_t beside : near[t]) least[t] = std::min(least[t], level[static_cast<std::size_t>(beside)]);
+  return least;
 }
 
-void LocalSteps::classify(const std::vector<double>& limit, double longest) {
-  edges = around(squeezed(limit, longest));
-  strained = around(edges);
-  moved = around(strained);
-  other_edges = without(all, edges);
-  not_strained = without(all, strained);
-}
-
-int LocalSteps::best_ratio(const std::vector<double>& limit) const {
-  const double shortest = *std::min_element(limit.begin(), limit.end());
-  const auto count = static_cast<double>(all.size());
-  int best = 1;
-  double least_work = count;
-  for (int ratio = 2; ratio <= greatest_ratio; ratio *= 2) {
-    const Tiles in_short_steps = around(around(around(squeezed(limit, ratio * shortest))));
-    const double work = (count + (ratio - 1) * static_cast<double>(in_short_steps.size())) / ratio;
-    if (work >= least_work) continue;
-    least_work = work;
-    best = ratio;
+void LocalSteps::classify(const std::vector<double>& limit, double shortest, int greatest) {
+  std::vector<int> level;
+  for (const double own : limit) {
+    int allowed = 0;
+    while (allowed < greatest && shortest * (2 << allowed) <= own) ++allowed;
+    level.push_back(allowed);
   }
-  return best;
+  edge_level = least_around(level);
+  strain_level = least_around(edge_level);
+  move_level = least_around(strain_level);
+  highest = *std::max_element(edge_level.begin(), edge_level.end());
 }
 
 /// Two tiles are near when a pair joins them, also across planes of symmetry.
@@ -88,7 +83,7 @@ void Solver<D>::find_near_tiles() {
   }
   steps.particle_step.assign(tiles_.size(), 0.0);
   steps.edge_step.assign(tiles_.size(), 0.0);
-  steps.start.resize(particle_count() * D);
+  steps.start.assign(highest_level + 1, std::vector<double>(particle_count() * D));
 }
 
 template <int D>
@@ -96,19 +91,23 @@ void Solver<D>::advance_locally(double latest) {
   LocalSteps& steps = *local_steps_;
   std::vector<double> limit;
   for (const auto& report : reports_) limit.push_back(report.step_limit);
-  const double left = latest - time_, longest = steps.best_ratio(limit) * step_limit_;
-  const double long_step = left <= longest ? left : (left < 2.0 * longest ? 0.5 * left : longest);
-  const int count = std::max(1, static_cast<int>(std::ceil(long_step / step_limit_ * (1.0 - 1e-12))));
-  const double short_step = long_step / count;
-  steps.classify(limit, count == 1 ? 0.0 : long_step);
-  for (int part = 0; part < count; ++part) {
-    give_impulses(part, short_step, long_step);
-    move_locally(part, short_step, long_step);
-    strain_locally(steps.strained, steps.edges, short_step);
+  const double left = latest - time_;
+  int level = highest_level;
+  while (level > 0 && left < step_limit_ * (1 << level)) --level;
+  steps.classify(limit, step_limit_, level);
+  level = steps.highest;
+  // The last two steps before `latest` are equal, so that none is a mere splinter.
+  double long_step = step_limit_ * (1 << level);
+  if (left <= long_step)
+    long_step = left;
+  else if (left < 2.0 * long_step)
+    long_step = 0.5 * left;
+  const int parts = 1 << level;
+  for (int part = 0; part < parts; ++part) {
+    give_impulses(part, long_step / parts);
+    move_locally(part, long_step / parts);
+    strain_locally(part, long_step / parts);
   }
-  pack_mean_velocities(long_step);
-  strain_locally(steps.not_strained, steps.other_edges, long_step);
-  for_each_tile_of(steps.moved, [&](const Tile& tile, Scratch&, TileReport<D>&) { pack_motion(tile.range); });
   step_limit_ = std::numeric_limits<double>::max();
   for (const auto& report : reports_) {
     if (report.step_limit >= step_limit_) continue;
@@ -121,35 +120,37 @@ void Solver<D>::advance_locally(double latest) {
   check_reports();
 }
 
-/// The impulse of a stress is that over half its last step and half its next one. Stresses of long steps act in the
-/// first part only.
+/// The impulse of a stress is that over half its last step and half its next one, at the beginning of that.
 template <int D>
-void Solver<D>::give_impulses(int part, double short_step, double long_step) {
+void Solver<D>::give_impulses(int part, double shortest) {
   LocalSteps& steps = *local_steps_;
-  const auto set_span = [&](const LocalSteps::Tiles& tiles, std::vector<double>& last, std::vector<double>& span,
-                            double next) {
-    for (const std::int32_t tile : tiles) {
-      const auto t = static_cast<std::size_t>(tile);
-      span[t] = 0.5 * (last[t] + next);
-      last[t] = next;
-    }
+  // Stresses that act now, and those whose impulses of the part before must go.
+  const auto changed = [&](const std::vector<int>& level) {
+    return tiles_where(steps.all,
+                       [&](std::size_t t) { return meets(part, level[t]) || (part > 0 && meets(part - 1, level[t])); });
   };
-  std::vector<double> particle_span(tiles_.size(), 0.0), edge_span(tiles_.size(), 0.0);
-  set_span(steps.strained, steps.particle_step, particle_span, short_step);
-  set_span(steps.edges, steps.edge_step, edge_span, short_step);
-  if (part == 0) {
-    set_span(steps.not_strained, steps.particle_step, particle_span, long_step);
-    set_span(steps.other_edges, steps.edge_step, edge_span, long_step);
-  }
-  if (recipe_.edges)
-    for_each_tile_of(part < 2 ? steps.all : steps.edges, [&](const Tile& tile, Scratch&, TileReport<D>&) {
-      recipe_.edges->weigh(recipe_.edges->edges_from(tile.range), edge_span[tile_index(tile)]);
+  const auto span_of = [&](std::size_t t, const std::vector<int>& level, std::vector<double>& last) {
+    if (!meets(part, level[t])) return 0.0;
+    const double next = shortest * (1 << level[t]), span = 0.5 * (last[t] + next);
+    last[t] = next;
+    return span;
+  };
+  LocalSteps::Tiles packed = changed(steps.strain_level);
+  if (recipe_.edges) {
+    const LocalSteps::Tiles weighed = changed(steps.edge_level);
+    for_each_tile_of(weighed, [&](const Tile& tile, Scratch&, TileReport<D>&) {
+      const std::size_t t = tile_index(tile);
+      recipe_.edges->weigh(recipe_.edges->edges_from(tile.range), span_of(t, steps.edge_level, steps.edge_step));
     });
-  for_each_tile_of(part < 2 ? steps.all : steps.moved, [&](const Tile& tile, Scratch&, TileReport<D>&) {
-    recipe_.nominal_momentum->pack_impulses(tile.range, particle_span[tile_index(tile)], records_);
+    packed.insert(packed.end(), weighed.begin(), weighed.end());
+    packed = steps.around(packed);
+  }
+  for_each_tile_of(packed, [&](const Tile& tile, Scratch&, TileReport<D>&) {
+    const std::size_t t = tile_index(tile);
+    recipe_.nominal_momentum->pack_impulses(tile.range, span_of(t, steps.strain_level, steps.particle_step), records_);
   });
   fill_image_states();
-  const LocalSteps::Tiles& pushed = part == 0 ? steps.all : steps.moved;
+  const auto pushed = tiles_where(steps.all, [&](std::size_t t) { return meets(part, steps.move_level[t]); });
   for_each_tile_of(pushed, [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
     accelerate_tile(tile, scratch, 1.0, report);  // sums over impulses are changes of velocity
   });
@@ -160,34 +161,57 @@ void Solver<D>::give_impulses(int part, double short_step, double long_step) {
 }
 
 template <int D>
-void Solver<D>::move_locally(int part, double short_step, double long_step) {
+void Solver<D>::move_locally(int part, double shortest) {
   LocalSteps& steps = *local_steps_;
-  const auto drift = [&](const LocalSteps::Tiles& tiles, double time_step) {
-    for_each_tile_of(tiles, [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
-      apply_boundaries(tile, scratch, time_step, report);
-      move_tile(tile, time_step, report);
-      pack_motion(tile.range);
-    });
-    for (const std::int32_t tile : tiles) {
-      const auto& report = reports_[static_cast<std::size_t>(tile)];
-      ledger_.wall_impulse += report.wall_impulse;
-      ledger_.wall_loss += report.wall_loss;
-    }
-  };
-  if (part == 0) {
-    for_each_tile_of(steps.moved, [&](const Tile& tile, Scratch&, TileReport<D>&) {
+  const auto moved = tiles_where(steps.all, [&](std::size_t t) { return meets(part, steps.move_level[t]); });
+  for_each_tile_of(moved, [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
+    const int own = steps.move_level[tile_index(tile)];
+    for (int level = own + 1; level <= steps.highest && meets(part, level); ++level)
       std::copy_n(position_.raw() + tile.range.first() * D, tile.range.count() * D,
-                  &steps.start[tile.range.first() * D]);
-    });
-    drift(without(steps.all, steps.moved), long_step);
+                  &steps.start[static_cast<std::size_t>(level)][tile.range.first() * D]);
+    const double time_step = shortest * (1 << own);
+    apply_boundaries(tile, scratch, time_step, report);
+    move_tile(tile, time_step, report);
+    pack_motion(tile.range);
+  });
+  for (const std::int32_t tile : moved) {
+    const auto& report = reports_[static_cast<std::size_t>(tile)];
+    ledger_.wall_impulse += report.wall_impulse;
+    ledger_.wall_loss += report.wall_loss;
   }
-  drift(steps.moved, short_step);
   check_reports();
 }
 
+/// Strains what ends a step with the part, from short steps to long ones. Particles of shorter steps than those they
+/// strain show their mean velocity meanwhile.
 template <int D>
-void Solver<D>::strain_locally(const std::vector<std::int32_t>& particles, const std::vector<std::int32_t>& edges,
-                               double time_step) {
+void Solver<D>::strain_locally(int part, double shortest) {
+  const LocalSteps& steps = *local_steps_;
+  LocalSteps::Tiles shown;
+  for (int level = 0; level <= steps.highest && meets(part + 1, level); ++level) {
+    const double time_step = shortest * (1 << level);
+    const auto strained = tiles_where(steps.all, [&](std::size_t t) { return steps.strain_level[t] == level; });
+    const auto edges = tiles_where(steps.all, [&](std::size_t t) { return steps.edge_level[t] == level; });
+    if (strained.empty() && edges.empty()) continue;
+    const auto averaged =
+        tiles_where(steps.around(strained), [&](std::size_t t) { return steps.move_level[t] < level; });
+    shown.insert(shown.end(), averaged.begin(), averaged.end());
+    const auto& start = steps.start[static_cast<std::size_t>(level)];
+    for_each_tile_of(averaged, [&](const Tile& tile, Scratch&, TileReport<D>&) {
+      for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i)
+        for (int a = 0; a < D; ++a)
+          records_.motion[i][a] = (position_[i][a] - start[i * D + static_cast<std::size_t>(a)]) / time_step;
+    });
+    strain_tiles(strained, edges, time_step);
+  }
+  std::sort(shown.begin(), shown.end());
+  shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
+  for_each_tile_of(shown, [&](const Tile& tile, Scratch&, TileReport<D>&) { pack_motion(tile.range); });
+}
+
+template <int D>
+void Solver<D>::strain_tiles(const std::vector<std::int32_t>& particles, const std::vector<std::int32_t>& edges,
+                             double time_step) {
   recipe_.images.fill_motion(records_, records_.first_image());
   for_each_tile_of(particles, [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
     deform_from_reference(tile, scratch, time_step, report);
@@ -202,17 +226,6 @@ void Solver<D>::strain_locally(const std::vector<std::int32_t>& particles, const
     deform_edges(tile, scratch, time_step, report);
   });
   for (const std::int32_t tile : edges) ledger_.plastic_work += reports_[static_cast<std::size_t>(tile)].plastic_work;
-}
-
-/// Of the long step, into the motion records: what strains particles with long steps.
-template <int D>
-void Solver<D>::pack_mean_velocities(double long_step) {
-  const LocalSteps& steps = *local_steps_;
-  for_each_tile_of(steps.moved, [&](const Tile& tile, Scratch&, TileReport<D>&) {
-    for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i)
-      for (int a = 0; a < D; ++a)
-        records_.motion[i][a] = (position_[i][a] - steps.start[i * D + static_cast<std::size_t>(a)]) / long_step;
-  });
 }
 
 #define ANVIL_INSTANTIATE(D)                  \

@@ -6,7 +6,7 @@
 
 namespace anvil {
 
-/// Which tiles of a total Lagrangian scene take short steps inside a long one, and what the stresses of each did last.
+/// How long a step each tile of a total Lagrangian scene takes, as the power of two of the shortest one: its level.
 ///
 /// A stress acts by impulses of its own step, and particles drift between impulses: the impulse form of multiple time
 /// steps (Tuckerman, Berne and Martyna 1992), with the parts by place as in asynchronous variational integrators (Lew,
@@ -16,21 +16,19 @@ struct LocalSteps {
 
   std::vector<Tiles> near;  // by tile: those whose particles share a pair with its own, and itself
   Tiles all;
-  // Around the squeezed tiles, each the neighbourhood of the one before: edges with short steps, particles whose
-  // deformation is known after every short step, particles that move in short steps.
-  Tiles edges, strained, moved;
-  Tiles other_edges, not_strained;               // the rest
+  // By tile. An edge needs its ends deformed as often as itself, and deformation needs its neighbours moved as often.
+  std::vector<int> edge_level, strain_level, move_level;
+  int highest = 0;                               // of all levels
   std::vector<double> particle_step, edge_step;  // s, by tile: the last step of the stresses of particles and edges
-  std::vector<double> start;                     // m, where the particles of `moved` were before the long step
+  // By level: where particles of shorter steps were (m) when a step of this level began.
+  std::vector<std::vector<double>> start;
 
-  /// Sets the lists for long steps of `longest` (s), given the largest step each tile can take (s).
-  void classify(const std::vector<double>& limit, double longest);
-  /// How many of the shortest steps make a long one, so that the work per time is least: a power of two.
-  [[nodiscard]] int best_ratio(const std::vector<double>& limit) const;
+  /// Levels up to `greatest`, given the largest step each tile can take and the shortest one (s).
+  void classify(const std::vector<double>& limit, double shortest, int greatest);
+  [[nodiscard]] Tiles around(const Tiles& tiles) const;
 
  private:
-  [[nodiscard]] Tiles squeezed(const std::vector<double>& limit, double longest) const;
-  [[nodiscard]] Tiles around(const Tiles& tiles) const;
+  [[nodiscard]] std::vector<int> least_around(const std::vector<int>& level) const;
 };
 
 }  // namespace anvil

@@ -121,11 +121,11 @@ class Solver final : public Simulation {
 
   void find_near_tiles();  // local_steps.cpp
   void advance_locally(double latest);
-  void give_impulses(int part, double short_step, double long_step);
-  void move_locally(int part, double short_step, double long_step);
-  void strain_locally(const std::vector<std::int32_t>& particles, const std::vector<std::int32_t>& edges,
-                      double time_step);
-  void pack_mean_velocities(double long_step);
+  void give_impulses(int part, double shortest);
+  void move_locally(int part, double shortest);
+  void strain_locally(int part, double shortest);
+  void strain_tiles(const std::vector<std::int32_t>& particles, const std::vector<std::int32_t>& edges,
+                    double time_step);
 
   void accelerate_tile(const Tile& tile, Scratch& scratch, double kick, TileReport<D>& report);
   void filter_tile(const Tile& tile, const VelocityFilter<D>& filter, Scratch& scratch, double time_step,

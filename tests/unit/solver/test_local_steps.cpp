@@ -18,34 +18,34 @@ LocalSteps row_of(std::int32_t count) {
   return steps;
 }
 
-TEST(LocalSteps, SurroundTheSqueezedTiles) {
+TEST(LocalSteps, GrowWithTheDistanceFromASqueezedTile) {
   LocalSteps steps = row_of(9);
   std::vector<double> limit(9, 1.0);
   limit[0] = 0.1;
-  steps.classify(limit, 0.8);
-  EXPECT_EQ(steps.edges, (LocalSteps::Tiles{0, 1}));
-  EXPECT_EQ(steps.strained, (LocalSteps::Tiles{0, 1, 2}));
-  EXPECT_EQ(steps.moved, (LocalSteps::Tiles{0, 1, 2, 3}));
-  EXPECT_EQ(steps.other_edges, (LocalSteps::Tiles{2, 3, 4, 5, 6, 7, 8}));
-  EXPECT_EQ(steps.not_strained, (LocalSteps::Tiles{3, 4, 5, 6, 7, 8}));
+  steps.classify(limit, 0.1, 2);  // 0.4 is the longest step then
+  EXPECT_EQ(steps.edge_level, (std::vector<int>{0, 0, 2, 2, 2, 2, 2, 2, 2}));
+  EXPECT_EQ(steps.strain_level, (std::vector<int>{0, 0, 0, 2, 2, 2, 2, 2, 2}));
+  EXPECT_EQ(steps.move_level, (std::vector<int>{0, 0, 0, 0, 2, 2, 2, 2, 2}));
+  EXPECT_EQ(steps.highest, 2);
 }
 
-TEST(LocalSteps, AreNoneWhereNothingIsSqueezed) {
+TEST(LocalSteps, AreNoLongerThanATileAllows) {
+  LocalSteps steps = row_of(12);
+  std::vector<double> limit;
+  for (int tile = 0; tile < 12; ++tile) limit.push_back(0.1 * (tile + 1));
+  steps.classify(limit, 0.1, 5);
+  for (std::size_t t = 0; t < limit.size(); ++t) {
+    EXPECT_LE(0.1 * (1 << steps.edge_level[t]), limit[t] * (1.0 + 1e-12)) << t;
+    EXPECT_LE(steps.strain_level[t], steps.edge_level[t]);
+    EXPECT_LE(steps.move_level[t], steps.strain_level[t]);
+  }
+  EXPECT_EQ(steps.highest, 3);  // 0.8, from the twelfth tile's 1.2
+}
+
+TEST(LocalSteps, AreEqualWhereNothingIsSqueezed) {
   LocalSteps steps = row_of(4);
-  const std::vector<double> limit(4, 1.0);
-  steps.classify(limit, 1.0);
-  EXPECT_TRUE(steps.moved.empty());
-  EXPECT_EQ(steps.not_strained, steps.all);
-  EXPECT_EQ(steps.best_ratio(limit), 1);
-}
-
-// One of 100 tiles a tenth as thick as the others: eight short steps to a long one take (100 + 7 * 4) / 8 tiles per
-// short step, the least; with sixteen all tiles are squeezed.
-TEST(LocalSteps, AreAsManyAsPay) {
-  LocalSteps steps = row_of(100);
-  std::vector<double> limit(100, 1.0);
-  limit[0] = 0.1;
-  EXPECT_EQ(steps.best_ratio(limit), 8);
+  steps.classify({1.0, 1.0, 1.1, 1.9}, 1.0, 5);
+  EXPECT_EQ(steps.highest, 0);
 }
 
 }  // namespace

@@ -50,8 +50,10 @@ TEST(RodBest, IsNearTheConvergedReferenceAtTheCoarseSpacing) {
 }
 
 TEST(RodBest, AQuarterBetweenPlanesIsTheWhole) {
-  const auto whole = simulation_of("rod_square_best", {"discretisation.spacing=1.6e-3"});
-  const auto quarter = simulation_of("rod_square_quarter", {"discretisation.spacing=1.6e-3"});
+  // All particles in the same steps: local ones go by tiles, which differ.
+  const std::vector<std::string> alike = {"discretisation.spacing=1.6e-3", "time.local_steps=false"};
+  const auto whole = simulation_of("rod_square_best", alike);
+  const auto quarter = simulation_of("rod_square_quarter", alike);
   EXPECT_NEAR(audited(*quarter, "mass"), 0.25 * audited(*whole, "mass"), 1e-12);
   for (const auto& rod : {whole.get(), quarter.get()}) run_to(*rod, 40e-6);
   EXPECT_EQ(whole->step(), quarter->step());
@@ -68,8 +70,8 @@ TEST(RodBest, AQuarterBetweenPlanesIsTheWhole) {
 
 TEST(RodBest, MeetingItsMirrorImageIsMeetingAWall) {
   const auto pair = simulation_of("rod_on_rod", {"discretisation.spacing=1.6e-3"});
-  const auto wall =
-      simulation_of("rod_square_best", {"discretisation.spacing=1.6e-3", "body.rod.velocity=[0,0,-113.5]"});
+  const auto wall = simulation_of(
+      "rod_square_best", {"discretisation.spacing=1.6e-3", "body.rod.velocity=[0,0,-113.5]", "time.local_steps=false"});
   for (const auto& rod : {pair.get(), wall.get()}) run_to(*rod, 40e-6);
   const Frame two = pair->frame(), one = wall->frame();
   const auto initial = array_of(one, "initial_position");
@@ -92,11 +94,13 @@ std::string text_of(const Vec<3>& vector) { return fmt::format("[{},{},{}]", vec
 TEST(RodBest, TurnedWithItsWallItIsTheSame) {
   const Vec<3> turn(0.4, -0.7, 0.2);
   const Mat<3> rotation = Eigen::AngleAxis<double>(turn.norm(), turn.normalized()).toRotationMatrix();
-  const auto straight = simulation_of("rod_square_best", {"discretisation.spacing=1.6e-3"});
+  // A limit of a step that round-off takes across a power of two would change local steps.
+  const auto straight = simulation_of("rod_square_best", {"discretisation.spacing=1.6e-3", "time.local_steps=false"});
   const auto turned =
-      simulation_of("rod_square_best", {"discretisation.spacing=1.6e-3", "body.rod.rotation=" + text_of(turn),
-                                        "body.rod.velocity=" + text_of(rotation * Vec<3>(0.0, 0.0, -227.0)),
-                                        "boundary.anvil.normal=" + text_of(rotation * Vec<3>::UnitZ())});
+      simulation_of("rod_square_best",
+                    {"discretisation.spacing=1.6e-3", "time.local_steps=false", "body.rod.rotation=" + text_of(turn),
+                     "body.rod.velocity=" + text_of(rotation * Vec<3>(0.0, 0.0, -227.0)),
+                     "boundary.anvil.normal=" + text_of(rotation * Vec<3>::UnitZ())});
   for (const auto& rod : {straight.get(), turned.get()}) run_to(*rod, 40e-6);
   const Frame one = straight->frame(), two = turned->frame();
   double largest = 0.0;
