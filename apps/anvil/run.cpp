@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "anvil/solver/run.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -20,6 +20,7 @@
 #include "command_line.hpp"
 #include "frames.hpp"
 #include "progress.hpp"
+#include "recommend.hpp"
 
 namespace anvil {
 namespace {
@@ -46,7 +47,13 @@ struct PreparedRun {
 
 PreparedRun prepare_start(const po::variables_map& values, const std::string& argument) {
   PreparedRun prepared;
-  prepared.scene = read_scene(locate_scene(argument), repeated(values, "set"));
+  auto overrides = repeated(values, "set");
+  if (const auto recommended = recommendation_of(values, argument, overrides)) {
+    overrides.insert(overrides.end(), recommended->settings.begin(), recommended->settings.end());
+    if (!values["quiet"].as<bool>())
+      fmt::print("settings    {}\n{}", fmt::join(recommended->settings, "  "), describe(*recommended));
+  }
+  prepared.scene = read_scene(locate_scene(argument), overrides);
   prepared.options.scene_text = write_scene(prepared.scene);
   const auto folder = values.count("output") != 0 ? std::filesystem::path(values["output"].as<std::string>())
                                                   : std::filesystem::path("results") / prepared.scene.name;
@@ -115,6 +122,7 @@ Usage make_usage() {
       "go on from a checkpoint, in its folder; time.end and output intervals can be changed by --set");
   add("threads", po::value<int>()->value_name("N"), "number of threads (default: all processors)");
   add("quiet", po::bool_switch(), "no progress, no summary");
+  add_wish_options(usage.options);
   add_scene_options(usage);
   return usage;
 }

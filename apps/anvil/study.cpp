@@ -8,11 +8,15 @@
 #include <chrono>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "anvil/core/error.hpp"
 #include "anvil/core/threads.hpp"
 #include "anvil/figures/drawing.hpp"
 #include "anvil/output/atomic_file.hpp"
+#include "anvil/output/provenance.hpp"
+#include "anvil/study/journal.hpp"
+#include "anvil/study/record.hpp"
 #include "anvil/study/report.hpp"
 #include "command_line.hpp"
 #include "figure_file.hpp"
@@ -28,24 +32,27 @@ namespace po = boost::program_options;
 Usage make_usage() {
   Usage usage{"anvil study STUDY [-o DIR] [options]",
               "Runs the scenes of a study file, or of the bundled study of that name, over all values of its axes;\n"
-              "prints tables and writes results.csv and, where the study has one, a figure into a folder. Each run\n"
-              "takes one thread. Runs that fail are listed with their reason.",
+              "prints tables and writes results.csv, results.h5, study.json and, where the study has some, figures\n"
+              "into a folder. Each run takes one thread. Runs that fail are listed with their reason. Started again,\n"
+              "it goes on with the runs that the folder does not have yet.",
               "STUDY"};
   auto add = usage.options.add_options();
   add("output,o", po::value<std::string>()->value_name("DIR"), "folder of the results (default: results/<study>)");
   add("threads", po::value<int>()->value_name("N"), "runs at the same time (default: all processors)");
+  add("again", po::bool_switch(), "run everything, also what the folder has from an earlier start");
   add("quiet", po::bool_switch(), "no progress, no tables");
   add_scene_options(usage);
   return usage;
 }
 
-/// How many runs are done and how long the others will take, if they take as long on average: a line that is
+/// How many runs are done and how long the others will take, by what they are expected to cost: a line that is
 /// overwritten on a terminal, otherwise one every tenth of the runs.
 class StudyLines {
  public:
-  void show(std::size_t done, std::size_t all) {
+  void show(const StudyPosition& position) {
+    const auto [done, all, share] = position;
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    const double left = elapsed * static_cast<double>(all - done) / static_cast<double>(done);
+    const double left = share > 0.0 ? elapsed * (1.0 - share) / share : 0.0;
     const std::string text = fmt::format("{} of {} runs  {} left", done, all, duration_text(left));
     constexpr const char* clear_to_end_of_line = "\x1b[K";
     if (terminal_)
@@ -80,6 +87,25 @@ void print_report(const StudyDescription& study, const std::vector<StudyRun>& ru
                  status_name(run.status), run.reason);
 }
 
+/// PNG where this build can write it, and SVG.
+std::vector<fs::path> write_results(const StudyDescription& study, const std::vector<StudyRun>& runs,
+                                    const StudyPeriod& period, const fs::path& folder) {
+  std::vector<fs::path> files = {folder / "results.csv", folder / "results.h5", folder / "study.json"};
+  write_text_atomically(files[0], study_csv(study, runs));
+  write_study_h5(files[1], study, runs);
+  write_text_atomically(files[2], study_json(study, runs, period));
+  for (const auto& [suffix, figure] : study_figures(study, runs)) {
+    const Drawing drawing = lay_out(figure);
+    files.push_back(folder / (study.name + suffix + ".svg"));
+    write_figure(drawing, files.back());
+#if ANVIL_WITH_VTK
+    files.push_back(folder / (study.name + suffix + ".png"));
+    write_figure(drawing, files.back());
+#endif
+  }
+  return files;
+}
+
 }  // namespace
 
 int execute_study(const Arguments& arguments) {
@@ -93,18 +119,21 @@ int execute_study(const Arguments& arguments) {
   const int threads = threads_from(*values);
   auto runs = prepare_study(study, repeated(*values, "set"));
   ensure_folder(folder);
+  if ((*values)["again"].as<bool>()) remove_file(folder / "runs.jsonl");
+  StudyJournal journal(folder / "runs.jsonl");
+  const std::size_t known = journal.restore(study, runs);
+  if (known > 0 && !quiet) fmt::print(stderr, "{} of {} runs are there already\n", known, runs.size());
   StudyLines lines;
-  run_study(study, runs, threads, [&](std::size_t done, std::size_t all) {
-    if (!quiet) lines.show(done, all);
-  });
-  write_text_atomically(folder / "results.csv", study_csv(study, runs));
-  const auto figure = study_figure(study, runs);
-  const fs::path picture = folder / (study.name + (ANVIL_WITH_VTK ? ".png" : ".svg"));
-  if (figure) write_figure(lay_out(*figure), picture);
+  StudyPeriod period{utc_now(), ""};
+  const auto show = [&](const StudyPosition& position) {
+    if (!quiet) lines.show(position);
+  };
+  run_study(study, runs, threads, show, [&](const StudyRun& run) { journal.append(study, run); });
+  period.ended = utc_now();
+  const auto files = write_results(study, runs, period, folder);
   if (quiet) return 0;
   print_report(study, runs);
-  fmt::print("{}\n", (folder / "results.csv").string());
-  if (figure) fmt::print("{}\n", picture.string());
+  for (const auto& file : files) fmt::print("{}\n", file.string());
   return 0;
 }
 

@@ -16,6 +16,7 @@ std::span<const Subcommand> subcommands() {
     Subcommand{"plot", "draw profiles, histories and x-t diagrams of a result", execute_plot},
     Subcommand{"sample", "values between the particles on a line or a plane", execute_sample},
     Subcommand{"study", "run a scene over many settings and tabulate what comes out", execute_study},
+    Subcommand{"recommend", "settings that reach an error or keep to a time, from measured runs", execute_recommend},
 #if ANVIL_WITH_VTK
     Subcommand{"render", "draw a frame of a result", execute_render},
 #endif

@@ -30,6 +30,7 @@ int execute_plot(const Arguments& arguments);
 int execute_render(const Arguments& arguments);  // only in a build with VTK
 int execute_run(const Arguments& arguments);
 int execute_sample(const Arguments& arguments);
+int execute_recommend(const Arguments& arguments);
 int execute_study(const Arguments& arguments);
 
 }  // namespace anvil

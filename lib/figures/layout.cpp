@@ -53,6 +53,7 @@ class PanelLayout {
     for (const bool reference : {true, false})
       for (const auto& curve : panel_.curves)
         if ((curve.style == CurveStyle::reference) == reference) draw_curve(curve);
+    for (const auto& curve : panel_.curves) draw_point_labels(curve);
     draw_frame();
     draw_ticks();
     draw_titles();
@@ -154,6 +155,25 @@ class PanelLayout {
     flush();
   }
 
+  /// To the upper right of each point; those that would cover another one, or leave the frame, are left out.
+  void draw_point_labels(const PlottedCurve& curve) {
+    const double size = 0.8 * sizes_.number;
+    for (std::size_t i = 0; i < curve.point_labels.size(); ++i) {
+      const double x = x_scale_.share_of(curve.x[i]);
+      const double y = y_scale_.share_of(curve.y[i]);
+      if (!std::isfinite(x) || !std::isfinite(y)) continue;
+      const Dot dot = dot_at(near(x), near(y));
+      const Dot at{dot.x + 0.4 * size, dot.y + 0.8 * size};
+      const Box box{at.x, at.y - 0.5 * size, at.x + text_width(curve.point_labels[i], size), at.y + 0.5 * size};
+      const auto covers = [&](const Box& other) {
+        return box.left < other.right && other.left < box.right && box.bottom < other.top && other.bottom < box.top;
+      };
+      if (box.right > frame_.right || box.top > frame_.top || std::ranges::any_of(label_boxes_, covers)) continue;
+      label_boxes_.push_back(box);
+      add_text(curve.point_labels[i], at, size, Anchor::left);
+    }
+  }
+
   void draw_map(const PlottedMap& map) {
     const Dot low = dot_at(x_scale_.share_of(map.x[0]), y_scale_.share_of(map.y[0]));
     const Dot high = dot_at(x_scale_.share_of(map.x[1]), y_scale_.share_of(map.y[1]));
@@ -247,6 +267,7 @@ class PanelLayout {
   double title_bottom_ = 0.0;
   std::vector<LegendEntry> legend_;
   std::size_t legend_rows_ = 0;
+  std::vector<Box> label_boxes_;
 };
 
 void check_figure(const Figure& figure) {

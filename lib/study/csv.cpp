@@ -45,7 +45,7 @@ std::string heading(const Columns& columns) {
     line += unit.empty() ? ',' + name : fmt::format(",{} [{}]", name, unit);
   }
   for (const auto& name : columns.references) line += fmt::format(",{}_reference", name);
-  return line + ",status,particles,steps,wall_time [s],reason\n";
+  return line + ",status,particles,neighbours,steps,particle_steps,wall_time [s],cpu_time [s],reason\n";
 }
 
 std::string axis_cell(const StudyGrid& grid, const StudyRun& run, const std::string& key) {
@@ -82,7 +82,8 @@ std::string study_csv(const StudyDescription& study, const std::vector<StudyRun>
       text += ',' + number_text(row.time);
       for (const auto& measure : columns.measures) text += ',' + measure_cell(grid, row, measure);
       for (const auto& measure : columns.references) text += ',' + reference_cell(grid, run, measure);
-      text += fmt::format(",{},{},{},{},{}\n", status_name(run.status), run.particles, run.steps, run.seconds,
+      text += fmt::format(",{},{},{},{},{},{},{},{}\n", status_name(run.status), run.particles, run.neighbours,
+                          run.steps, static_cast<std::int64_t>(run.particles) * run.steps, run.seconds, run.cpu_seconds,
                           quoted(run.reason));
     }
   }

@@ -38,7 +38,7 @@ class StudyReader {
 
   StudyDescription read(const toml::table& document) {
     StudyDescription study;
-    const Key report{.name = "report", .kind = ValueKind::choice, .choices = {"table", "orders", "speeds"}};
+    const Key report{.name = "report", .kind = ValueKind::choice, .choices = {"table", "orders", "speeds", "cost"}};
     const auto named = read_as<std::string>(report, document, "");
     if (named)
       study.report = static_cast<StudyReport>(std::ranges::find(report.choices, *named) - report.choices.begin());
@@ -48,7 +48,11 @@ class StudyReader {
     });
     if (study.grids.empty() && !document.contains("grid"))
       context_.problems.add({context_.file}, "the study has no [[grid]]: at least one is needed");
-    for (const auto& grid : study.grids) check_report(study.report, grid, document);
+    for (const auto& grid : study.grids) {
+      check_report(study.report, grid, document);
+      if (study.report == StudyReport::cost && grid.measures != study.grids.front().measures)
+        add_problem(document, fmt::format("the grid '{}' must have the measures of the first one", grid.title));
+    }
     check_known(document, {"title", "report", "grid"}, "");
     return study;
   }

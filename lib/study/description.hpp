@@ -43,7 +43,7 @@ struct StudyGrid {
 };
 
 /// How the outcome of a study is printed and drawn.
-enum class StudyReport { table, orders, speeds };
+enum class StudyReport { table, orders, speeds, cost };
 
 struct StudyDescription {
   std::string name;  // stem of the file

@@ -11,6 +11,7 @@
 #include "anvil/measures/wave_comparison.hpp"
 #include "anvil/study/contact.hpp"
 #include "anvil/study/flow_measures.hpp"
+#include "anvil/study/published.hpp"
 #include "anvil/study/wave_speed.hpp"
 
 namespace anvil {
@@ -84,10 +85,10 @@ constexpr std::array measure_table = {
 
 }  // namespace
 
-const StudyMeasure* find_study_measure(std::string_view name) {
+std::optional<StudyMeasure> find_study_measure(std::string_view name) {
   for (const auto& row : measure_table)
-    if (row.name == name) return &row;
-  return nullptr;
+    if (row.name == name) return row;
+  return find_compared_measure(name);
 }
 
 std::vector<std::string_view> study_measure_names() {

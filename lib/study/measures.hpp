@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "anvil/exact/scene_reference.hpp"
 #include "anvil/output/frame.hpp"
+#include "anvil/output/history.hpp"
 #include "anvil/scene/scene.hpp"
 #include "anvil/solver/simulation.hpp"
 
@@ -20,8 +22,9 @@ struct StudySample {
   std::size_t number;                            // of the time that is measured
   std::function<const SceneReference&()> exact;  // at the same times; solved when it is asked for first
   std::vector<AuditValue> audit;                 // at the time that is measured
-  double last_time_step;                         // s
-  double step_cost;                              // s per particle and step so far
+  const History& history;  // as `anvil run` keeps it; without rows unless a measure of the grid reads_history
+  double last_time_step;   // s
+  double step_cost;        // s per particle and step so far
 };
 
 /// One number that is read off a run at a time; NaN where the run does not show it.
@@ -31,8 +34,9 @@ struct StudyMeasure {
   double (*of)(const StudySample& sample, std::string_view name);
 };
 
-/// The row of the table of measures with that name, or nullptr. The quantities of compare_waves are rows, too.
-const StudyMeasure* find_study_measure(std::string_view name);
+/// The measure of that name: a row of the table of measures, which has the quantities of compare_waves as well, or one
+/// of `anvil compare` (published.hpp).
+std::optional<StudyMeasure> find_study_measure(std::string_view name);
 std::vector<std::string_view> study_measure_names();
 
 }  // namespace anvil

@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "anvil/figures/color_scale.hpp"
 #include "anvil/scene/schema.hpp"
+#include "anvil/study/cost.hpp"
 #include "anvil/study/report.hpp"
 #include "anvil/study/run_table.hpp"
 
@@ -77,8 +79,12 @@ Panel speed_panel(const RunTable& table) {
 
 }  // namespace
 
-std::optional<Figure> study_figure(const StudyDescription& study, const std::vector<StudyRun>& runs) {
-  if (study.report == StudyReport::table) return std::nullopt;
+std::vector<StudyFigure> study_figures(const StudyDescription& study, const std::vector<StudyRun>& runs) {
+  if (study.report == StudyReport::table) return {};
+  if (study.report == StudyReport::cost) {
+    if (cost_points(study, runs).empty()) return {};
+    return {{"", cost_figure(study, runs)}, {"_convergence", convergence_figure(study, runs)}};
+  }
   Figure figure;
   figure.title = study.title;
   figure.columns = std::min<int>(3, static_cast<int>(study.grids.size()));
@@ -89,7 +95,7 @@ std::optional<Figure> study_figure(const StudyDescription& study, const std::vec
   }
   const int rows = (static_cast<int>(figure.panels.size()) + figure.columns - 1) / figure.columns;
   figure.size = {800 * figure.columns, 100 + 650 * rows};
-  return figure;
+  return {{"", std::move(figure)}};
 }
 
 }  // namespace anvil

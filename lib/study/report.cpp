@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "anvil/study/cost.hpp"
 #include "anvil/study/run_table.hpp"
 
 namespace anvil {
@@ -91,6 +92,7 @@ StudyTable speed_table(const RunTable& table, const StudyReference& reference) {
 }  // namespace
 
 std::vector<StudyTable> study_tables(const StudyDescription& study, const std::vector<StudyRun>& runs) {
+  if (study.report == StudyReport::cost) return cost_tables(study, runs);
   std::vector<StudyTable> tables;
   for (std::size_t number = 0; number < study.grids.size(); ++number) {
     const RunTable table(study, runs, number);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +16,7 @@ struct StudyTable {
   std::string alignment;
 };
 
-/// The outcome as the study's `report` asks for it.
+/// The outcome as the study's `report` asks for it; `cost` is in cost.hpp.
 ///   table   a table per grid, a line per run and time
 ///   orders  the first measure over the last axis, a spacing, at every time, and the observed order
 ///           log(error / error before) / log(spacing / spacing before)
@@ -25,9 +24,15 @@ struct StudyTable {
 ///           has to be among the measures), at the last time
 std::vector<StudyTable> study_tables(const StudyDescription& study, const std::vector<StudyRun>& runs);
 
+/// A figure and what is put behind the name of the study for the name of its file.
+struct StudyFigure {
+  std::string suffix;
+  Figure figure;
+};
+
 /// A panel per grid over the last axis: `orders` draws the mean over all times, both axes logarithmic, a curve for
-/// every combination of the other axes; `speeds` draws alpha and the measures with a reference at the last time.
-/// Nothing for `table`.
-std::optional<Figure> study_figure(const StudyDescription& study, const std::vector<StudyRun>& runs);
+/// every combination of the other axes; `speeds` draws alpha and the measures with a reference at the last time. `cost`
+/// draws accuracy against cost and, apart from it, convergence. Nothing for `table`.
+std::vector<StudyFigure> study_figures(const StudyDescription& study, const std::vector<StudyRun>& runs);
 
 }  // namespace anvil

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <ctime>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -18,6 +21,7 @@
 #include "anvil/scene/reader.hpp"
 #include "anvil/solver/simulation.hpp"
 #include "anvil/study/measures.hpp"
+#include "anvil/study/published.hpp"
 
 namespace anvil {
 namespace {
@@ -93,24 +97,85 @@ void measure(const StudyGrid& grid, const StudySample& sample, StudyRun& run) {
   run.rows.push_back(std::move(row));  // whole rows only: a measure may throw
 }
 
+/// CPU time of this thread, s: what a run on one thread costs, whatever else the machine does.
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// The rows that `anvil run` would write into history.csv.
+class RecordedHistory {
+ public:
+  RecordedHistory(const StudyGrid& grid, const Scene& scene)
+      : wanted_(std::ranges::any_of(grid.measures, [](const auto& name) { return reads_history(name); })),
+        interval_(scene.time.end / 2000.0) {}
+
+  [[nodiscard]] bool due(double time) const { return wanted_ && time >= next_; }
+  void add(const Simulation& simulation) {
+    if (!wanted_) return;
+    auto row = simulation.audit();
+    row.insert(row.begin(), {"time", "s", simulation.time()});
+    if (columns_.empty())
+      for (const auto& entry : row) columns_.push_back({entry.name, entry.unit, {}});
+    for (std::size_t k = 0; k < row.size(); ++k) columns_[k].values.push_back(row[k].value);
+    next_ = (std::floor(simulation.time() / interval_) + 1.0) * interval_;
+  }
+  [[nodiscard]] History history() const { return History(columns_); }
+
+ private:
+  bool wanted_;
+  double interval_, next_ = 0.0;
+  std::vector<HistoryColumn> columns_;
+};
+
+/// The steps to a time, and what they took.
+void advance_to(double time, Simulation& simulation, RecordedHistory& history, StudyRun& run) {
+  const auto start = std::chrono::steady_clock::now();
+  const double start_of_thread = thread_seconds();
+  while (simulation.time() < time) {
+    simulation.advance(time);
+    if (history.due(simulation.time())) history.add(simulation);
+  }
+  run.cpu_seconds += thread_seconds() - start_of_thread;
+  run.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  run.steps = simulation.step();
+}
+
+/// The first run of some milliseconds pays for cold caches, and any may be disturbed: the least of three counts.
+void repeat_if_short(const StudyGrid& grid, StudyRun& run) {
+  constexpr double short_run = 0.2;  // s
+  if (run.cpu_seconds > short_run) return;
+  for (int again = 0; again < 2; ++again) {
+    StudyRun other;
+    RecordedHistory history(grid, *run.scene);
+    const auto simulation = make_simulation(*run.scene);
+    for (const double time : grid.times) advance_to(time, *simulation, history, other);
+    run.cpu_seconds = std::min(run.cpu_seconds, other.cpu_seconds);
+  }
+}
+
 void perform(const StudyGrid& grid, ExactSolutions& exact, StudyRun& run) {
   const Scene& scene = *run.scene;
   const auto simulation = make_simulation(scene);
   run.particles = simulation->particle_count();
+  run.neighbours = simulation->explain().neighbours_per_particle;
   run.status = StudyStatus::failed;
   std::vector<Frame> frames;
+  RecordedHistory recorded(grid, scene);
+  recorded.add(*simulation);
   for (std::size_t number = 0; number < grid.times.size(); ++number) {
-    const auto start = std::chrono::steady_clock::now();
-    while (simulation->time() < grid.times[number]) simulation->advance(grid.times[number]);
-    run.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    run.steps = simulation->step();
+    advance_to(grid.times[number], *simulation, recorded, run);
+    recorded.add(*simulation);
     frames.push_back(simulation->frame());
     const double particle_steps = static_cast<double>(run.steps) * static_cast<double>(run.particles);
+    const History history = recorded.history();
     measure(grid,
             {scene, frames, number, [&]() -> const SceneReference& { return exact.of(scene, grid.times); },
-             simulation->audit(), simulation->last_time_step(), run.seconds / particle_steps},
+             simulation->audit(), history, simulation->last_time_step(), run.cpu_seconds / particle_steps},
             run);
   }
+  repeat_if_short(grid, run);
   run.status = StudyStatus::finished;
 }
 
@@ -121,6 +186,13 @@ void perform_or_note(const StudyGrid& grid, ExactSolutions& exact, StudyRun& run
   } catch (const Error& error) {
     run.reason = error.what();
   }
+}
+
+/// In proportion to particles times steps, as far as the scene tells it.
+double expected_work(const StudyRun& run) {
+  if (!run.scene) return 0.0;
+  const Scene& scene = *run.scene;
+  return scene.time.end / (scene.time.cfl * std::pow(scene.discretisation.spacing, scene.domain.dimension + 1));
 }
 
 /// Calls work(item) for all items on several threads; the first exception is thrown on when all have stopped.
@@ -154,15 +226,27 @@ std::vector<StudyRun> prepare_study(const StudyDescription& study, const std::ve
   return runs;
 }
 
-void run_study(const StudyDescription& study, std::vector<StudyRun>& runs, int threads, const StudyProgress& progress) {
+void run_study(const StudyDescription& study, std::vector<StudyRun>& runs, int threads, const StudyProgress& progress,
+               const StudyKeeper& keep) {
   ExactSolutions exact;
   std::mutex mutex;
-  std::size_t done = 0;
-  share_out(runs.size(), threads, [&](std::size_t item) {
-    StudyRun& run = runs[item];
+  std::vector<std::size_t> waiting;
+  double all_work = 0.0, done_work = 0.0;
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (!runs[k].known) {
+      waiting.push_back(k);
+      all_work += expected_work(runs[k]);
+    }
+  // The longest first: the last ones are then short, and no thread waits long for another.
+  std::ranges::stable_sort(waiting, std::greater<>(), [&](std::size_t k) { return expected_work(runs[k]); });
+  std::size_t done = runs.size() - waiting.size();
+  share_out(waiting.size(), threads, [&](std::size_t item) {
+    StudyRun& run = runs[waiting[item]];
     if (run.scene) perform_or_note(study.grids[run.grid], exact, run);
     const std::scoped_lock lock(mutex);
-    progress(++done, runs.size());
+    if (keep) keep(run);
+    done_work += expected_work(run);
+    progress({++done, runs.size(), all_work > 0.0 ? done_work / all_work : 1.0});
   });
 }
 

@@ -38,20 +38,31 @@ struct StudyRun {
   std::vector<StudyRow> rows;  // up to where the run came
   std::size_t particles = 0;
   std::int64_t steps = 0;
-  double seconds = 0.0;  // wall time of the steps
+  double neighbours = 0.0;   // of a particle, at the start
+  double seconds = 0.0;      // wall time of the steps
+  double cpu_seconds = 0.0;  // CPU time of the steps; the least of three where it is short
+  bool known = false;        // from an earlier start of the study: not to be run again
 };
 
-/// Told after each run how many are done, out of how many; never by two threads at once.
-using StudyProgress = std::function<void(std::size_t done, std::size_t all)>;
+/// How far a study is.
+struct StudyPosition {
+  std::size_t done = 0, all = 0;  // runs
+  double share = 0.0;             // of the work to be done now, by what the runs are expected to cost
+};
+/// Told after each run; never by two threads at once.
+using StudyProgress = std::function<void(const StudyPosition& position)>;
+/// Receives every run that has ended; never two at once.
+using StudyKeeper = std::function<void(const StudyRun& run)>;
 
 /// The runs of all grids in the order of the description, with `set` (KEY=VALUE) on top of every scene, ready to start.
 /// Scenes that make no sense with their values are refused and keep their place. Throws InputError when this holds for
 /// a whole grid (its scene is missing, a key does not exist), and when `set` names an axis.
 std::vector<StudyRun> prepare_study(const StudyDescription& study, const std::vector<std::string>& set);
 
-/// Runs what is prepared, side by side on `threads` threads, each run on one. A run that fails is an outcome and keeps
-/// the others going.
-void run_study(const StudyDescription& study, std::vector<StudyRun>& runs, int threads, const StudyProgress& progress);
+/// Runs what is prepared and not known, side by side on `threads` threads, each run on one, the longest first. A run
+/// that fails is an outcome and keeps the others going.
+void run_study(const StudyDescription& study, std::vector<StudyRun>& runs, int threads, const StudyProgress& progress,
+               const StudyKeeper& keep = {});
 
 /// All runs as CSV, a line per run and time: grid, scene, axes, time, measures with their units, references, status and
 /// cost.

@@ -161,7 +161,10 @@ class Runs(CommandLine):
         rows = (self.result / "results.csv").read_text().splitlines()
         self.assertEqual(len(rows), 1 + 2 + 2 + 1)
         self.assertTrue(rows[1].startswith("1,bar,0.001,1e-06,"))
-        self.assertEqual(len(list(self.result.glob("spacings.*"))), 1)
+        for name in ("results.h5", "study.json", "runs.jsonl", "spacings.svg"):
+            self.assertTrue((self.result / name).exists(), name)
+        # Started again it has nothing left to run but what was refused.
+        self.expect(self.anvil("study", study, "-o", self.result), 0, "2 of 3 runs are there already")
 
     def test_a_study_with_bad_input_leaves_no_folder(self):
         self.expect_error(self.anvil("study", "kernel_table", "-o", self.result), 1, "did you mean 'kernel_tables'")

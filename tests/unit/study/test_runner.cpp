@@ -30,7 +30,7 @@ StudyDescription small_study() {
 
 std::vector<StudyRun> run(const StudyDescription& study, int threads, const std::vector<std::string>& set = {}) {
   auto runs = prepare_study(study, set);
-  run_study(study, runs, threads, [](std::size_t, std::size_t) {});
+  run_study(study, runs, threads, [](const StudyPosition&) {});
   return runs;
 }
 
@@ -89,13 +89,17 @@ TEST(StudyRunner, LetsNobodyOverrideAnAxis) {
 
 TEST(StudyRunner, TellsHowFarItIs) {
   std::vector<std::size_t> seen;
+  double share = 0.0;
   const StudyDescription study = small_study();
   auto runs = prepare_study(study, {});
-  run_study(study, runs, 2, [&](std::size_t done, std::size_t all) {
-    EXPECT_EQ(all, 6U);
-    seen.push_back(done);
+  run_study(study, runs, 2, [&](const StudyPosition& position) {
+    EXPECT_EQ(position.all, 6U);
+    EXPECT_GT(position.share, share);
+    share = position.share;
+    seen.push_back(position.done);
   });
   EXPECT_EQ(seen, (std::vector<std::size_t>{1, 2, 3, 4, 5, 6}));
+  EXPECT_NEAR(share, 1.0, 1e-12);
 }
 
 /// Two runs at two times each, made up: an error of the second order, and a run that failed.
@@ -121,12 +125,12 @@ TEST(StudyCsv, HasALinePerRunAndTime) {
   const MadeUp made_up;
   EXPECT_EQ(study_csv(made_up.study, made_up.runs),
             "grid,scene,discretisation.spacing,time [s],stress_l1,elastic_speed_ratio,plastic_speed_ratio,status,"
-            "particles,steps,wall_time [s],reason\n"
-            "1,thin_rod,2e-3,8e-06,0.4,,,finished,0,0,0,\n"
-            "1,thin_rod,2e-3,1.2e-05,0.8,1.01,,finished,0,0,0,\n"
-            "1,thin_rod,1e-3,8e-06,0.1,,,finished,0,0,0,\n"
-            "1,thin_rod,1e-3,1.2e-05,0.2,1.01,,finished,0,0,0,\n"
-            "1,thin_rod,5e-4,,,,,failed,0,0,0,\"a \"\"guard\"\", tripped\"\n");
+            "particles,neighbours,steps,particle_steps,wall_time [s],cpu_time [s],reason\n"
+            "1,thin_rod,2e-3,8e-06,0.4,,,finished,0,0,0,0,0,0,\n"
+            "1,thin_rod,2e-3,1.2e-05,0.8,1.01,,finished,0,0,0,0,0,0,\n"
+            "1,thin_rod,1e-3,8e-06,0.1,,,finished,0,0,0,0,0,0,\n"
+            "1,thin_rod,1e-3,1.2e-05,0.2,1.01,,finished,0,0,0,0,0,0,\n"
+            "1,thin_rod,5e-4,,,,,failed,0,0,0,0,0,0,\"a \"\"guard\"\", tripped\"\n");
 }
 
 TEST(StudyReportOrders, ComputesObservedOrders) {
@@ -143,12 +147,13 @@ TEST(StudyReportOrders, ComputesObservedOrders) {
 
 TEST(StudyReportOrders, DrawsACurvePerSetting) {
   const MadeUp made_up;
-  const auto figure = study_figure(made_up.study, made_up.runs);
-  ASSERT_TRUE(figure);
-  ASSERT_EQ(figure->panels.size(), 1U);
-  EXPECT_EQ(figure->panels[0].x.label, "spacing in m");
-  EXPECT_TRUE(figure->panels[0].y.logarithmic);
-  EXPECT_NEAR(figure->panels[0].curves[0].y[0], 0.6, 1e-12);  // the mean of both times
+  const auto figures = study_figures(made_up.study, made_up.runs);
+  ASSERT_EQ(figures.size(), 1U);
+  const auto& panels = figures[0].figure.panels;
+  ASSERT_EQ(panels.size(), 1U);
+  EXPECT_EQ(panels[0].x.label, "spacing in m");
+  EXPECT_TRUE(panels[0].y.logarithmic);
+  EXPECT_NEAR(panels[0].curves[0].y[0], 0.6, 1e-12);  // the mean of both times
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 std::vector<StudyRun> run(const StudyDescription& study, const std::vector<std::string>& set = {}) {
   auto runs = prepare_study(study, set);
-  run_study(study, runs, 2, [](std::size_t, std::size_t) {});
+  run_study(study, runs, 2, [](const StudyPosition&) {});
   for (const auto& one : runs) EXPECT_EQ(one.status, StudyStatus::finished) << one.reason;
   return runs;
 }
