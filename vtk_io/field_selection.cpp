@@ -4,11 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
 #include "anvil/core/error.hpp"
 #include "anvil/figures/ticks.hpp"
+#include "anvil/figures/unit.hpp"
 #include "anvil/measures/frame_fields.hpp"
 
 namespace anvil {
@@ -23,26 +25,35 @@ std::string standard_field(const Frame& frame) {
   return "position";
 }
 
-/// "velocity z", "von Mises stress"; an expression stays as it is.
-std::string label_of(const std::string& name, const std::string& unit) {
-  std::string label = name == "von_mises" || name == "stress.von_mises" ? "von Mises stress" : name;
-  if (name.find_first_of("+-*/(^ ") == std::string::npos)
+/// "Velocity z", "Von Mises stress"; an expression stays as it is.
+std::string label_of(const std::string& name, const Unit& unit) {
+  std::string label = name == "von_mises" || name == "stress.von_mises" ? "Von Mises stress" : name;
+  if (name.find_first_of("+-*/(^ ") == std::string::npos) {
     std::replace_if(
         label.begin(), label.end(), [](char c) { return c == '_' || c == '.'; }, ' ');
-  return unit.empty() ? label : label + "\n[" + unit + "]";
+    label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+  }
+  const std::string bracket = with_unit("", unit);
+  return bracket.empty() ? label : label + "\n" + bracket;
+}
+
+double largest_of(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  return largest;
 }
 
 }  // namespace
 
-SelectedField select_field(const Frame& frame, const std::string& name) {
+SelectedField select_field(const Frame& frame, const std::string& name, const std::optional<FieldRange>& shown) {
   const std::string wanted = name.empty() ? standard_field(frame) : name;
   Evaluated found = field_of(frame, wanted);
+  const double largest = shown ? std::max(std::abs(shown->low), std::abs(shown->high)) : largest_of(found.values);
+  const Unit unit = readable_unit(found.unit, largest);
   SelectedField field;
-  if (found.unit == "Pa" || found.unit == "m") {
-    field.per_si_unit = found.unit == "Pa" ? 1e-6 : 1e3;
-    found.unit = found.unit == "Pa" ? "MPa" : "mm";
-  }
-  field.label = label_of(wanted, found.unit);
+  field.per_si_unit = 1.0 / unit.factor;
+  field.label = label_of(wanted, unit);
   field.values = std::move(found.values);
   for (double& value : field.values) value *= field.per_si_unit;
   return field;

@@ -10,16 +10,17 @@
 
 namespace anvil {
 
-/// One number per particle to colour by, in a unit fit for reading: stresses in MPa, lengths in mm.
+/// One number per particle to colour by, in a unit fit for reading.
 struct SelectedField {
-  std::string label;  // "von Mises stress", and "[MPa]" on a second line
+  std::string label;  // "Von Mises stress", and "[MPa]" on a second line
   std::vector<double> values;
   double per_si_unit = 1.0;  // 1e-6 for MPa
 };
 
 /// The field that RenderOptions::field names. Throws InputError, with the names there are, when the frame has no such
-/// field.
-SelectedField select_field(const Frame& frame, const std::string& name);
+/// field. The unit suits the range that is `shown` (SI), or the values of the frame.
+SelectedField select_field(const Frame& frame, const std::string& name,
+                           const std::optional<FieldRange>& shown = std::nullopt);
 
 /// Least and greatest finite value, SI; absent when there is none.
 std::optional<FieldRange> extremes_of(const SelectedField& field);

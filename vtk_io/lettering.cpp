@@ -119,7 +119,7 @@ void add_color_bar(vtkRenderer* renderer, vtkLookupTable* colors, const std::str
     add_text(renderer, number.data(), {right + 2 * tick, y}, height, VTK_TEXT_LEFT);
   }
   renderer->AddActor2D(make_drawing(lines, nullptr));
-  add_text(renderer, label, {0.5 * (left + right), top + 0.05}, height, VTK_TEXT_CENTERED);
+  add_text(renderer, label, {0.985, top + 0.06}, height, VTK_TEXT_RIGHT);
 }
 
 void add_title(vtkRenderer* renderer, const std::string& text, const std::array<double, 2>& at, double width,

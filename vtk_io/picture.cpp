@@ -16,7 +16,7 @@ namespace anvil {
 namespace {
 
 constexpr double title_line = 0.955;  // of the height of the picture
-constexpr std::array<double, 4> color_bar{0.90, 0.22, 0.92, 0.70};
+constexpr std::array<double, 4> color_bar{0.89, 0.22, 0.91, 0.70};
 
 std::string title_of(const Frame& frame, const RenderOptions& options) {
   if (!options.title.empty()) return options.title;
@@ -43,11 +43,18 @@ void add_bodies(Picture& picture, const RenderOptions& options, const SelectedFi
 
 }  // namespace
 
+SelectedField colored_by(const Frame& frame, const RenderOptions& options) {
+  return select_field(frame, options.field,
+                      options.range   ? options.range
+                      : options.series ? options.series->values
+                                       : std::nullopt);
+}
+
 Picture make_picture(const Frame& frame, const RenderOptions& options) {
-  const SelectedField field = select_field(frame, options.field);
+  const SelectedField field = colored_by(frame, options);
   Picture picture;
-  // 26 pixels in a picture of 1200; never too small to read.
-  picture.font_height = std::max(9, options.size[1] * 26 / 1200);
+  // 32 pixels in a picture of 1200, so that it can be read at half its size.
+  picture.font_height = std::max(9, options.size[1] * 32 / 1200);
   picture.window = make_window(options.size, options.background);
   vtkRenderer* canvas = background_of(picture.window);
   if (options.field == "body") {

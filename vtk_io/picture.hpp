@@ -7,6 +7,7 @@
 #include <vtkSmartPointer.h>
 
 #include "vtk_io/drawn_particles.hpp"
+#include "vtk_io/field_selection.hpp"
 #include "vtk_io/render.hpp"
 
 namespace anvil {
@@ -17,11 +18,14 @@ struct Picture {
   vtkSmartPointer<vtkLookupTable> colors;
   DrawnParticles particles;
   vtkBoundingBox shown;  // bodies of the frame, of the series and before the deformation, mm
-  int font_height = 26;  // pixels
+  int font_height = 32;  // pixels
 };
 
 /// The part of the window where views go: left, bottom, right, top (0 to 1).
 inline constexpr std::array<double, 4> view_part{0.0, 0.0, 0.84, 0.92};
+
+/// What gives the colours, in the unit of the colour bar. Throws InputError when the field does not exist.
+SelectedField colored_by(const Frame& frame, const RenderOptions& options);
 
 /// Throws InputError when the field does not exist or the range is empty.
 Picture make_picture(const Frame& frame, const RenderOptions& options);

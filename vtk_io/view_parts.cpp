@@ -206,7 +206,7 @@ void add_surroundings(vtkRenderer* view, const DrawnParticles& particles, const 
   const Direction left{direction[1] / horizontal, -direction[0] / horizontal, 0.0};
   const double reach = 0.58 * (std::abs(left[0]) * shown.GetLength(0) + std::abs(left[1]) * shown.GetLength(1));
   add_ruler(view, {center[0] + reach * left[0], center[1] + reach * left[1], shown.GetMinPoint()[2]}, {0.0, 0.0, 1.0},
-            left, shown.GetLength(2), font_height);
+            left, shown.GetLength(2), shown.GetMaxLength(), font_height);
   vtkBoundingBox all(view->ComputeVisiblePropBounds());
   all.AddBox(shown);
   aim_camera(view, all, direction, {0.0, 0.0, 1.0});
@@ -214,14 +214,15 @@ void add_surroundings(vtkRenderer* view, const DrawnParticles& particles, const 
 
 void add_axes(vtkRenderer* view, const vtkBoundingBox& box, int font_height) {
   const double* low = box.GetMinPoint();
-  const double away = 0.03 * std::max(box.GetLength(0), box.GetLength(1));
-  add_ruler(view, {low[0], low[1] - away, 0.0}, {1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, box.GetLength(0), font_height);
+  const double room = std::max(box.GetLength(0), box.GetLength(1));
+  const double away = 0.03 * room;
+  add_ruler(view, {low[0], low[1] - away, 0.0}, {1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, box.GetLength(0), room, font_height);
   if (box.GetLength(1) > 0.05 * box.GetLength(0))
-    add_ruler(view, {low[0] - away, low[1], 0.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, box.GetLength(1), font_height);
+    add_ruler(view, {low[0] - away, low[1], 0.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, box.GetLength(1), room, font_height);
 }
 
 void add_ruler(vtkRenderer* view, const Direction& begin, const Direction& axis, const Direction& side, double length,
-               int font_height) {
+               double room, int font_height) {
   vtkNew<vtkPolyData> lines;
   lines->SetPoints(vtkSmartPointer<vtkPoints>::New());
   lines->SetLines(vtkSmartPointer<vtkCellArray>::New());
@@ -230,16 +231,21 @@ void add_ruler(vtkRenderer* view, const Direction& begin, const Direction& axis,
     const vtkIdType b = lines->GetPoints()->InsertNextPoint(to.data());
     lines->GetLines()->InsertNextCell({a, b});
   };
-  const double step = nice_step(length, 7);
-  const auto ticks = multiples_between(0.0, length, step);
-  const double tick_length = 0.02 * length;
-  add_line(begin, along(begin, axis, ticks.back()));
+  const double first = vtkMath::Dot(begin.data(), axis.data());
+  const double step = nice_step(length, std::max(3, static_cast<int>(std::lround(7.0 * length / room))));
+  const bool in_metres = step >= 100.0;
+  const double tick_length = 0.02 * room;
+  add_line(begin, along(begin, axis, length));
+  const auto ticks = multiples_between(first, first + length, step);
   for (const double tick : ticks) {
-    const Direction at = along(begin, axis, tick);
+    const Direction at = along(begin, axis, tick - first);
     add_line(at, along(at, side, tick_length));
-    add_label(view, fmt::format("{:g}", tick), along(at, side, 3.0 * tick_length), font_height);
+    add_label(view, fmt::format("{:g}", in_metres ? 1e-3 * tick : tick), along(at, side, 3.0 * tick_length),
+              font_height);
   }
-  add_label(view, "mm", along(along(begin, axis, ticks.back() + 0.3 * step), side, 3.0 * tick_length), font_height);
+  // Between the last two numbers, where it cannot leave the picture.
+  add_label(view, in_metres ? "m" : "mm",
+            along(along(begin, axis, ticks.back() - first - 0.5 * step), side, 3.0 * tick_length), font_height);
   // Numbers have no size in space: this point makes room for them when the camera looks for what to show.
   lines->GetPoints()->InsertNextPoint(along(begin, side, 4.5 * tick_length).data());
   add_lines(view, lines, 2.0F, dark);

@@ -20,6 +20,8 @@ class AxisScale {
   /// with `tight` the ends are those of the values. Throws InputError naming the axis.
   AxisScale(const Axis& axis, const std::vector<double>& values, bool tight, int intervals);
 
+  /// From end to end: in the unit of the axis, in powers of ten on a logarithmic one.
+  [[nodiscard]] double span() const { return high_ - low_; }
   /// 0 at the low end, 1 at the high one; NaN where a logarithmic axis does not reach.
   [[nodiscard]] double share_of(double value) const;
   [[nodiscard]] const std::vector<Tick>& ticks() const { return ticks_; }

@@ -41,6 +41,7 @@ struct MapDescription {
 
 struct PanelDescription {
   std::string title;
+  bool equal_scales = false;  // a length is as long along x as along y
   AxisDescription x, y;
   std::vector<CurveDescription> curves;
   std::optional<MapDescription> map;

@@ -33,7 +33,8 @@ FigureKeys<FigureDescription> figure_keys() {
 }
 
 FigureKeys<PanelDescription> panel_keys() {
-  return {{{.name = "title", .kind = ValueKind::text}, &PanelDescription::title}};
+  return {{{.name = "title", .kind = ValueKind::text}, &PanelDescription::title},
+          {{.name = "equal_scales", .kind = ValueKind::flag}, &PanelDescription::equal_scales}};
 }
 
 FigureKeys<AxisDescription> axis_keys() {

@@ -42,6 +42,7 @@ struct PlottedMap {
 
 struct Panel {
   std::string title;
+  bool equal_scales = false;  // a unit of x as long as one of y: the frame takes less of its room
   Axis x, y;
   std::vector<PlottedCurve> curves;
   std::optional<PlottedMap> map;

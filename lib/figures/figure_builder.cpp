@@ -85,6 +85,7 @@ class PanelBuilder {
 
   Panel build() {
     panel_.title = description_.title;
+    panel_.equal_scales = description_.equal_scales;
     for (const auto& curve : description_.curves) {
       if (!curve.field.empty()) add_profiles(curve);
       if (!curve.history.empty()) add_histories(curve);
@@ -202,7 +203,10 @@ class PanelBuilder {
     const CsvColumn& y = column_of(columns, curve.y_column, curve.file);
     settle(x_unit_, panel_.x.label, x.si_unit, x.name);
     settle(y_unit_, panel_.y.label, y.si_unit, y.name);
-    PlottedCurve plotted = new_curve(curve.label.empty() ? curve.file : curve.label, curve.style);
+    std::string label = curve.label.empty() ? curve.file : curve.label;
+    const auto has_label = [&](const PlottedCurve& other) { return other.label == label; };
+    if (std::any_of(panel_.curves.begin(), panel_.curves.end(), has_label)) label.clear();  // once in the legend
+    PlottedCurve plotted = new_curve(label, curve.style);
     plotted.x = x.values;
     plotted.y = y.values;
     panel_.curves.push_back(std::move(plotted));

@@ -2,8 +2,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "anvil/core/error.hpp"
 #include "anvil/figures/axis_scale.hpp"
@@ -47,8 +49,24 @@ class PanelLayout {
         y_scale_(panel.y, all_values(&PlottedCurve::y, &PlottedMap::y), panel.map.has_value(),
                  intervals(cell.height(), 6)) {}
 
-  void draw() {
+  /// What the panel needs beside its frame: numbers and labels.
+  [[nodiscard]] double left_margin() const {
+    const double gap = sizes_.gap;
+    return gap + sizes_.label + 1.5 * gap + widest_number(y_scale_) + gap;
+  }
+  [[nodiscard]] double right_margin() const {
+    const double gap = sizes_.gap;
+    double margin = 2.0 * gap + 0.5 * widest_number(x_scale_);
+    if (panel_.map) margin += color_bar_width() + 5.0 * gap + widest_number(color_axis());
+    return margin;
+  }
+
+  void draw(double left_margin, double right_margin) {
+    left_margin_ = left_margin;
+    frame_.left = cell_.left + left_margin;
+    frame_.right = cell_.right - right_margin;
     place_frame();
+    if (panel_.equal_scales) shrink_frame();
     if (panel_.map) draw_map(*panel_.map);
     for (const bool reference : {true, false})
       for (const auto& curve : panel_.curves)
@@ -83,9 +101,6 @@ class PanelLayout {
 
   void place_frame() {
     const double gap = sizes_.gap;
-    frame_.left = cell_.left + gap + sizes_.label + 1.5 * gap + widest_number(y_scale_) + gap;
-    frame_.right = cell_.right - 2.0 * gap - 0.5 * widest_number(x_scale_);
-    if (panel_.map) frame_.right -= color_bar_width() + 5.0 * gap + widest_number(color_axis());
     frame_.bottom = cell_.bottom + gap + sizes_.label + gap + sizes_.number + gap;
     double top = cell_.top - gap;
     if (!panel_.title.empty()) top -= sizes_.title + gap;
@@ -96,6 +111,15 @@ class PanelLayout {
     if (panel_.map) frame_.top -= sizes_.number + gap;  // the label of the colour bar
     if (frame_.width() < 4.0 * gap || frame_.height() < 4.0 * gap)
       throw InputError("the figure is too small for its panels; make it larger or give it fewer of them");
+  }
+
+  /// To equal scales; what it does not need any more stays free below and on both sides.
+  void shrink_frame() {
+    const double pixels = std::min(frame_.width() / x_scale_.span(), frame_.height() / y_scale_.span());
+    const double spare = frame_.width() - pixels * x_scale_.span();
+    frame_.left += 0.5 * spare;
+    frame_.right -= 0.5 * spare;
+    frame_.bottom = frame_.top - pixels * y_scale_.span();
   }
 
   [[nodiscard]] double legend_row_height() const { return 1.45 * sizes_.number; }
@@ -133,13 +157,19 @@ class PanelLayout {
         DrawnLine{std::move(dots), color, width, clipped ? std::optional<Box>(frame_) : std::nullopt});
   }
 
+  /// Few points stand alone; many are particles beside each other.
+  [[nodiscard]] double point_radius(const PlottedCurve& curve) const {
+    constexpr std::size_t few = 200;
+    return (curve.x.size() < few ? 1.7 : 1.0) * sizes_.point;
+  }
+
   void draw_curve(const PlottedCurve& curve) {
     const bool reference = curve.style == CurveStyle::reference;
     const Color color = reference ? reference_grey : curve.color;
     std::vector<Dot> dots;
     const auto flush = [&] {
       if (curve.style == CurveStyle::points)
-        drawing_.shapes.emplace_back(DrawnPoints{dots, color, sizes_.point, frame_});
+        drawing_.shapes.emplace_back(DrawnPoints{dots, color, point_radius(curve), frame_});
       else if (dots.size() > 1)
         add_line(dots, color, reference ? sizes_.reference : sizes_.curve, true);
       dots.clear();
@@ -239,8 +269,9 @@ class PanelLayout {
   void draw_titles() {
     const double middle = 0.5 * (frame_.left + frame_.right);
     add_text(panel_.title, {middle, title_bottom_ + 0.5 * sizes_.title}, sizes_.title, Anchor::centre);
-    add_text(panel_.x.label, {middle, cell_.bottom + sizes_.gap + 0.5 * sizes_.label}, sizes_.label, Anchor::centre);
-    add_text(panel_.y.label, {cell_.left + sizes_.gap + 0.5 * sizes_.label, 0.5 * (frame_.bottom + frame_.top)},
+    const double below = frame_.bottom - 2.0 * sizes_.gap - sizes_.number - 0.5 * sizes_.label;
+    add_text(panel_.x.label, {middle, below}, sizes_.label, Anchor::centre);
+    add_text(panel_.y.label, {frame_.left - left_margin_ + sizes_.gap + 0.5 * sizes_.label, 0.5 * (frame_.bottom + frame_.top)},
              sizes_.label, Anchor::centre, true);
   }
 
@@ -250,7 +281,7 @@ class PanelLayout {
     const double y = title_bottom_ - (static_cast<double>(entry.row) + 0.5) * legend_row_height();
     const Dot end{left + legend_sample(), y};
     if (curve.style == CurveStyle::points)
-      drawing_.shapes.emplace_back(DrawnPoints{{{0.5 * (left + end.x), y}}, curve.color, sizes_.point, std::nullopt});
+      drawing_.shapes.emplace_back(DrawnPoints{{{0.5 * (left + end.x), y}}, curve.color, point_radius(curve), std::nullopt});
     else if (curve.style == CurveStyle::reference)
       add_line({{left, y}, end}, reference_grey, sizes_.reference, false);
     else
@@ -264,7 +295,7 @@ class PanelLayout {
   Sizes sizes_;
   AxisScale x_scale_, y_scale_;
   Box frame_;
-  double title_bottom_ = 0.0;
+  double left_margin_ = 0.0, title_bottom_ = 0.0;
   std::vector<LegendEntry> legend_;
   std::size_t legend_rows_ = 0;
   std::vector<Box> label_boxes_;
@@ -299,12 +330,19 @@ Drawing lay_out(const Figure& figure) {
   }
   const double width = full_width / static_cast<double>(columns);
   const double height = full_height / static_cast<double>(rows);
+  std::vector<PanelLayout> panels;
+  panels.reserve(figure.panels.size());
+  // Panels one below the other have their frames in line.
+  std::vector<std::array<double, 2>> margins(columns, {0.0, 0.0});
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const double left = width * static_cast<double>(i % columns);
-    const std::size_t row = i / columns;
-    const double top = full_height - height * static_cast<double>(row);
-    PanelLayout(figure.panels[i], {left, top - height, left + width, top}, drawing).draw();
+    const double top = full_height - height * static_cast<double>(i / columns);
+    panels.emplace_back(figure.panels[i], Box{left, top - height, left + width, top}, drawing);
+    auto& [left_margin, right_margin] = margins[i % columns];
+    left_margin = std::max(left_margin, panels.back().left_margin());
+    right_margin = std::max(right_margin, panels.back().right_margin());
   }
+  for (std::size_t i = 0; i < panels.size(); ++i) panels[i].draw(margins[i % columns][0], margins[i % columns][1]);
   return drawing;
 }
 

@@ -15,6 +15,7 @@ struct Plane {
 
 /// The frame and behind it its mirror image in the plane: what a model that was cut at a symmetry plane stands for.
 /// Points (positions, initial_position), vectors and symmetric tensors are turned as such; other arrays are repeated.
+/// A particle on the plane is not repeated but stands for both of its halves: its mass is doubled.
 Frame with_mirror_image(const Frame& frame, const Plane& plane);
 
 }  // namespace anvil

@@ -258,6 +258,10 @@ void Solver<D>::refresh_neighbours() {
     greatest = greatest.cwiseMax(report.greatest_displacement);
     growth = std::max(growth, report.greatest_growth);
   }
+  if (!walls_.empty()) {  // their particles stay where they are
+    least = least.cwiseMin(Vec<D>::Zero());
+    greatest = greatest.cwiseMax(Vec<D>::Zero());
+  }
   if (recipe_.images.possible()) recipe_.images.widen(least, greatest);
   if ((greatest - least).norm() + recipe_.support * growth > skin_) list_neighbours();
 }

@@ -56,6 +56,18 @@ TEST(FigurePainter, LooksLikeTheBaseline) {
                                  << comparison.worst_region << ", mean difference " << comparison.mean_difference;
 }
 
+TEST(FigurePainter, DiffersFromTheBaselineWithAnotherLabel) {
+  Figure figure = make_figure();
+  figure.panels[0].x.label = "Time [ms]";
+  EXPECT_FALSE(compare_images(paint(figure, "label.png"), baseline).same());
+}
+
+TEST(FigurePainter, DiffersFromTheBaselineWithOtherColors) {
+  Figure figure = make_figure();
+  for (PlottedCurve& curve : figure.panels[0].curves) curve.color = curve_color(3);
+  EXPECT_FALSE(compare_images(paint(figure, "colors.png"), baseline).same());
+}
+
 TEST(FigurePainter, DiffersFromTheBaselineWithoutACurveOrWithAnotherMap) {
   Figure figure = make_figure();
   figure.panels[0].curves.pop_back();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "anvil/core/error.hpp"
 #include "render/mushroom.hpp"
@@ -15,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path baseline = fs::path(ANVIL_SOURCE_DIR) / "tests/render/baseline/rod.png";
+const fs::path baselines = fs::path(ANVIL_SOURCE_DIR) / "tests/render/baseline";
+const fs::path baseline = baselines / "rod.png";
 
 RenderOptions baseline_options() {
   RenderOptions options;
@@ -171,9 +174,36 @@ TEST(ParticlesView, DrawsTwoDimensions) {
   RenderOptions options;
   options.size = {640, 480};
   const auto content = measure_content(draw("disc", make_disc(), options));
-  // A disc in the left five sixths of the picture: about pi/4 of the square of its height.
+  // 317 discs that touch: pi/4 of a disc whose diameter is about 0.8 of the height, so 0.3 of the picture; then scales
+  // and colour bar. Half as many particles, or discs of half the radius, are outside.
   EXPECT_GT(content.share, 0.25);
-  EXPECT_LT(content.share, 0.6);
+  EXPECT_LT(content.share, 0.4);
+}
+
+/// `name`.png is what the picture must look like, and not with other colours, another title or a tenth less of the field.
+void compare_with_baseline(const std::string& name, Frame frame, const RenderOptions& options) {
+  const fs::path right = baselines / (name + ".png");
+  EXPECT_TRUE(same(compare_images(draw(name, frame, options), right)));
+  RenderOptions other = options;
+  other.color_map = "viridis";
+  EXPECT_FALSE(same(compare_images(draw(name + "_colors", frame, other), right)));
+  other = options;
+  other.title = "Another title";
+  EXPECT_FALSE(same(compare_images(draw(name + "_label", frame, other), right)));
+  for (FrameArray& array : frame.arrays)
+    if (array.name == options.field)
+      for (double& value : array.values) value *= 0.9;
+  EXPECT_FALSE(same(compare_images(draw(name + "_field", frame, options), right)));
+}
+
+TEST(ParticlesView, LooksLikeTheBaseline) {
+  RenderOptions options = baseline_options();
+  options.view = View::particles;
+  options.field = "pressure";
+  options.range = FieldRange{-10e6, 10e6};
+  options.walls = {Plane{{0.0, -10.5e-3, 0.0}, {0.0, 1.0, 0.0}}};
+  options.title = "Disc";
+  compare_with_baseline("particles_flat", make_disc(), options);
 }
 
 TEST(ParticlesView, ColorsByBodyWithTheirNames) {
@@ -216,12 +246,21 @@ TEST(SectionView, ShowsTheInsideWhereverThePlaneIs) {
   options.view = View::section;
   const auto middle = draw("section", test::make_mushroom(8), options);
   const auto content = measure_content(middle);
+  // The undeformed outline, 32 mm, sets the scale: 12 pixels a millimetre. At that scale the 1024 mm3 of the rod, 21 mm
+  // high and on average 7 mm across, cover 0.07 of the picture; outlines, scales, wall and colour bar the rest.
   EXPECT_GT(content.share, 0.09);
-  EXPECT_LT(content.share, 0.6);
+  EXPECT_LT(content.share, 0.2);
   options.section = Plane{{0.0, 0.0, 4e-3}, {0.0, 0.0, 1.0}};
   EXPECT_FALSE(compare_images(middle, draw("section_z", test::make_mushroom(8), options)).same());
   options.section = Plane{{0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}};
   EXPECT_THROW(draw("never", test::make_mushroom(8), options), InputError);
+}
+
+TEST(SectionView, LooksLikeTheBaseline) {
+  RenderOptions options = baseline_options();
+  options.view = View::section;
+  options.field = "plastic_strain";
+  compare_with_baseline("section", test::make_mushroom(8), options);
 }
 
 TEST(SectionView, ShowsTheWholeOfAFlatScene) {
@@ -231,6 +270,52 @@ TEST(SectionView, ShowsTheWholeOfAFlatScene) {
   const auto content = measure_content(draw("flat_section", make_disc(), options));
   EXPECT_GT(content.share, 0.3);
   EXPECT_LT(content.share, 0.6);
+}
+
+SeriesExtent extent_of(const std::vector<Frame>& frames, const RenderOptions& options) {
+  SeriesExtent extent;
+  for (const Frame& frame : frames) include_frame(extent, frame, options);
+  return extent;
+}
+
+TEST(RenderFrame, FindsTheExtentOfASeries) {
+  RenderOptions options;
+  const Frame half = test::make_mushroom(6, 0.5, 0);
+  const Frame last = test::make_mushroom(6, 1.0, 1);
+  const SeriesExtent extent = extent_of({half, last}, options);
+  ASSERT_TRUE(extent.values && extent.bounds);
+  const auto extreme = [](const Frame& frame, auto pick) {
+    const auto& strains = frame.find("plastic_strain")->values;
+    return *pick(strains.begin(), strains.end());
+  };
+  const auto greatest = [](auto begin, auto end) { return std::max_element(begin, end); };
+  const auto least = [](auto begin, auto end) { return std::min_element(begin, end); };
+  EXPECT_DOUBLE_EQ(extent.values->high, extreme(last, greatest));
+  EXPECT_DOUBLE_EQ(extent.values->low, extreme(half, least));
+  // From frame to frame it grows shorter and its foot wider.
+  EXPECT_DOUBLE_EQ((*extent.bounds)[5], half.positions.back());
+  double widest = 0.0;
+  for (std::size_t i = 0; i < last.positions.size(); i += 3) widest = std::min(widest, last.positions[i]);
+  EXPECT_DOUBLE_EQ((*extent.bounds)[0], widest);
+}
+
+TEST(RenderFrame, KeepsColorsAndCameraOverASeries) {
+  RenderOptions options = baseline_options();
+  options.range.reset();
+  const Frame first = test::make_mushroom(6, 0.1, 0);
+  const Frame last = test::make_mushroom(6, 1.0, 1);
+  const SeriesExtent extent = extent_of({first, last}, options);
+  const auto alone = draw("first_alone", first, options);
+  // Another range of colours, and a camera that has room for the foot to come: each makes another picture.
+  options.series = SeriesExtent{extent.values, std::nullopt};
+  EXPECT_FALSE(compare_images(alone, draw("first_colors", first, options)).same());
+  options.series = SeriesExtent{std::nullopt, extent.bounds};
+  EXPECT_FALSE(compare_images(alone, draw("first_camera", first, options)).same());
+  // What the last frame shows is the whole extent: it looks the same alone.
+  options.series = extent;
+  const auto last_in_series = draw("last_series", last, options);
+  options.series.reset();
+  EXPECT_TRUE(same(compare_images(last_in_series, draw("last_alone", last, options))));
 }
 
 TEST(RenderFrame, DrawsOnlyWhatSuitsTheFrame) {

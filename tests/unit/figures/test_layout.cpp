@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "anvil/core/error.hpp"
 #include "anvil/figures/axis_scale.hpp"
@@ -110,6 +112,20 @@ TEST(Layout, KeepsEveryTextOnThePage) {
       EXPECT_LE(across + 0.5 * text->size, text->upright ? size[0] : size[1]);
     }
   }
+}
+
+TEST(Layout, PutsFramesOfAColumnInLine) {
+  Figure figure = make_figure();
+  figure.panels[1] = {};
+  figure.panels[1].curves = {make_curve("longer numbers", CurveStyle::line)};
+  for (double& y : figure.panels[1].curves[0].y) y *= 1000.0;
+  std::vector<std::array<double, 2>> sides;
+  for (const auto& shape : lay_out(figure).shapes) {
+    const auto* line = std::get_if<DrawnLine>(&shape);
+    if (line != nullptr && line->dots.size() == 5) sides.push_back({line->dots[0].x, line->dots[1].x});
+  }
+  ASSERT_EQ(sides.size(), 2U);
+  EXPECT_EQ(sides[0], sides[1]);
 }
 
 TEST(Layout, PutsReferencesBelowAndInterruptsLines) {

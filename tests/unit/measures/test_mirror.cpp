@@ -47,5 +47,15 @@ TEST(Mirror, KeepsInvariantsInAnyPlane) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(four.positions[9 + i], four.positions[i], 1e-14);
 }
 
+TEST(Mirror, TakesAParticleOnThePlaneForBothItsHalves) {
+  Frame frame = make_particle();
+  frame.positions = {1.0, 2.0, 3.0, 0.5, 4.0, 1.0};
+  frame.arrays = {{"mass", "kg", 1, false, {0.5, 0.25}}, {"velocity", "m/s", 3, false, {1, 2, 3, 0, 5, 6}}};
+  const Frame both = with_mirror_image(frame, {{0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}});
+  EXPECT_EQ(both.positions, (std::vector<double>{1.0, 2.0, 3.0, 0.5, 4.0, 1.0, 0.0, 2.0, 3.0}));
+  EXPECT_EQ(both.find("mass")->values, (std::vector<double>{0.5, 0.5, 0.5}));
+  EXPECT_EQ(both.find("velocity")->values, (std::vector<double>{1, 2, 3, 0, 5, 6, -1, 2, 3}));
+}
+
 }  // namespace
 }  // namespace anvil

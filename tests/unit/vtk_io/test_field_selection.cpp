@@ -24,20 +24,24 @@ Frame make_two_particles() {
 
 TEST(FieldSelection, TakesPlasticStrainWhenNothingIsAskedFor) {
   const auto field = select_field(make_two_particles(), "");
-  EXPECT_EQ(field.label, "plastic strain");
+  EXPECT_EQ(field.label, "Plastic strain");
   EXPECT_EQ(field.values, (std::vector<double>{0.03, 1.13}));
 }
 
 TEST(FieldSelection, TakesTheLengthOfAVectorAndItsComponents) {
   EXPECT_EQ(select_field(make_two_particles(), "velocity").values, (std::vector<double>{5.0, 1.0}));
   EXPECT_EQ(select_field(make_two_particles(), "velocity.z").values, (std::vector<double>{-4.0, 0.0}));
-  EXPECT_EQ(select_field(make_two_particles(), "velocity.z").label, "velocity z\n[m/s]");
+  EXPECT_EQ(select_field(make_two_particles(), "velocity.z").label, "Velocity z\n[m/s]");
 }
 
-TEST(FieldSelection, ShowsStressesInMegapascals) {
+TEST(FieldSelection, TakesTheUnitOfTheRangeThatIsShown) {
   const auto field = select_field(make_two_particles(), "stress.xx");
-  EXPECT_EQ(field.label, "stress xx\n[MPa]");
+  EXPECT_EQ(field.label, "Stress xx\n[MPa]");
   EXPECT_DOUBLE_EQ(field.values[0], 5.0);
+  // A frame of a series with larger stresses.
+  const auto of_series = select_field(make_two_particles(), "stress.xx", FieldRange{0.0, 2e9});
+  EXPECT_EQ(of_series.label, "Stress xx\n[GPa]");
+  EXPECT_DOUBLE_EQ(of_series.values[0], 0.005);
 }
 
 TEST(FieldSelection, DerivesVonMises) {

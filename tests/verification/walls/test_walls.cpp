@@ -108,6 +108,39 @@ TEST(Poiseuille, FollowsTheSeries) {
   EXPECT_EQ(audited(*flow, "penetrations"), 0.0);
 }
 
+/// A block whose particles all move alike comes nearer to the wall alone: the list of neighbours must see that.
+TEST(LongRangeWall, StopsABlockThatComesFromAfar) {
+  const auto block = make_simulation(read_scene_text(R"(
+[domain]
+dimension = 2
+[discretisation]
+spacing = 0.01
+variable_smoothing_length = false
+momentum_form = "density_squared"
+[shock]
+method = "artificial_viscosity"
+[time]
+end = 0.05
+[[body]]
+name = "block"
+shape = { type = "box", min = [0.05, 0.1], max = [0.15, 0.2] }
+material = "water"
+velocity = [0, -5]
+[material.water]
+density = 1000
+eos = { type = "tait", stiffness = 2.8e5 }
+[[boundary]]
+name = "wall"
+type = "long_range_wall"
+path = [[-0.2, 0], [0.4, 0]]
+)",
+                                                     "block"));
+  run_to(*block, 0.03);  // it would be 50 mm below
+  EXPECT_GT(-largest_of_bodies(block->frame(), [](const Frame& f, std::size_t i) { return -f.positions[3 * i + 1]; }),
+            0.0);
+  EXPECT_EQ(audited(*block, "penetrations"), 0.0);
+}
+
 /// One particle at half a spacing from the drawn surface, that flies at it midway between two dummies.
 double deepest_of_shot(double speed_of_sound_parts) {
   const double c = std::sqrt(7.0 * 1.68e5 / 1000.0);
