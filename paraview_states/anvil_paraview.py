@@ -203,6 +203,21 @@ ENERGIES = {"kinetic_energy [J]": "kinetic", "elastic_energy [J]": "elastic", "i
             "plastic_work [J]": "plastic work", "total_energy [J]": "total"}
 
 
+def show_flat_bodies(path, choices, *time_unit):
+    """Bodies in x and y as spheres, with the time and the energies: all of a state for two dimensions. `choices` are
+    rows of array, component, colours and title; the first whose array the result has gives the colours."""
+    particles, view = open_series(path)
+    spheres = show_spheres(particles, view, 0.55 * spacing_of(particles, 2))
+    array = first_available(particles, [row[0] for row in choices])
+    component, colors, title = next(row[1:] for row in choices if row[0] == array)
+    bounds, _, largest = extent_over_time(particles, array, -1 if component == "Magnitude" else 0)
+    look_at_plane(view, bounds)
+    color_by(spheres, view, array, component, colors, 0.0, rounded_up(largest), title)
+    show_time(particles, view, *time_unit)
+    show_history(path, view, ENERGIES, "energy (J/m)")
+    return view
+
+
 def finish(view, arguments):
     """Draws, and writes all views into the picture that the second argument names."""
     if len(arguments) > 1:

@@ -13,23 +13,13 @@ import os
 import sys
 from pathlib import Path
 
-from paraview.simple import *
-
 HERE = Path(globals().get("__file__", Path(os.environ.get("ANVIL_STATES", "paraview_states")) / "fluid.py")).resolve().parent
 sys.path.insert(0, str(HERE))
 import anvil_paraview as anvil
 
 ARGUMENTS = [argument for argument in getattr(sys, "argv", [])[1:] if not argument.startswith("-")]
 
-
 path = anvil.find_series(ARGUMENTS, HERE.parent / "results" / "water_column")
-particles, view = anvil.open_series(path)
-spheres = anvil.show_spheres(particles, view, 0.55 * anvil.spacing_of(particles, 2))
-field = anvil.first_available(particles, ["plastic_strain", "pressure"])
-colors, title = (anvil.EARTH, "plastic strain") if field == "plastic_strain" else (anvil.WATER, "pressure (Pa)")
-bounds, _, largest = anvil.extent_over_time(particles, field)
-anvil.look_at_plane(view, bounds)
-anvil.color_by(spheres, view, field, None, colors, 0.0, anvil.rounded_up(largest), title)
-anvil.show_time(particles, view, "s", 1.0)
-anvil.show_history(path, view, anvil.ENERGIES, "energy (J/m)")
+view = anvil.show_flat_bodies(path, [("plastic_strain", None, anvil.EARTH, "plastic strain"),
+                                     ("pressure", None, anvil.WATER, "pressure (Pa)")], "s", 1.0)
 anvil.finish(view, ARGUMENTS)

@@ -13,22 +13,12 @@ import os
 import sys
 from pathlib import Path
 
-from paraview.simple import *
-
 HERE = Path(globals().get("__file__", Path(os.environ.get("ANVIL_STATES", "paraview_states")) / "shell.py")).resolve().parent
 sys.path.insert(0, str(HERE))
 import anvil_paraview as anvil
 
 ARGUMENTS = [argument for argument in getattr(sys, "argv", [])[1:] if not argument.startswith("-")]
 
-
 path = anvil.find_series(ARGUMENTS, HERE.parent / "results" / "be_shell")
-particles, view = anvil.open_series(path)
-spheres = anvil.show_spheres(particles, view, 0.55 * anvil.spacing_of(particles, 2))
-bounds, _, fastest = anvil.extent_over_time(particles, "velocity", -1)
-anvil.look_at_plane(view, bounds)
-anvil.color_by(spheres, view, "velocity", "Magnitude", anvil.STRAIN, 0.0, anvil.rounded_up(fastest),
-               "speed (m/s)")
-anvil.show_time(particles, view)
-anvil.show_history(path, view, anvil.ENERGIES, "energy (J/m)")
+view = anvil.show_flat_bodies(path, [("velocity", "Magnitude", anvil.STRAIN, "speed (m/s)")])
 anvil.finish(view, ARGUMENTS)
