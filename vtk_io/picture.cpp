@@ -45,7 +45,7 @@ void add_bodies(Picture& picture, const RenderOptions& options, const SelectedFi
 
 SelectedField colored_by(const Frame& frame, const RenderOptions& options) {
   return select_field(frame, options.field,
-                      options.range   ? options.range
+                      options.range    ? options.range
                       : options.series ? options.series->values
                                        : std::nullopt);
 }

@@ -218,7 +218,8 @@ void add_axes(vtkRenderer* view, const vtkBoundingBox& box, int font_height) {
   const double away = 0.03 * room;
   add_ruler(view, {low[0], low[1] - away, 0.0}, {1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, box.GetLength(0), room, font_height);
   if (box.GetLength(1) > 0.05 * box.GetLength(0))
-    add_ruler(view, {low[0] - away, low[1], 0.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, box.GetLength(1), room, font_height);
+    add_ruler(view, {low[0] - away, low[1], 0.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, box.GetLength(1), room,
+              font_height);
 }
 
 void add_ruler(vtkRenderer* view, const Direction& begin, const Direction& axis, const Direction& side, double length,

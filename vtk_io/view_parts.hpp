@@ -45,8 +45,8 @@ void add_surroundings(vtkRenderer* view, const DrawnParticles& particles, const 
 /// Scales in millimetres below and to the left of a flat `box`.
 void add_axes(vtkRenderer* view, const vtkBoundingBox& box, int font_height);
 
-/// Coordinates from `begin` to `begin` + `length` along `axis` (unit vectors), ticks and numbers towards `side`. `room` is
-/// the longest side of what the picture shows, mm; a picture of metres has its numbers in metres.
+/// Coordinates from `begin` to `begin` + `length` along `axis` (unit vectors), ticks and numbers towards `side`. `room`
+/// is the longest side of what the picture shows, mm; a picture of metres has its numbers in metres.
 void add_ruler(vtkRenderer* view, const Direction& begin, const Direction& axis, const Direction& side, double length,
                double room, int font_height);
 

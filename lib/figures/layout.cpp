@@ -271,7 +271,8 @@ class PanelLayout {
     add_text(panel_.title, {middle, title_bottom_ + 0.5 * sizes_.title}, sizes_.title, Anchor::centre);
     const double below = frame_.bottom - 2.0 * sizes_.gap - sizes_.number - 0.5 * sizes_.label;
     add_text(panel_.x.label, {middle, below}, sizes_.label, Anchor::centre);
-    add_text(panel_.y.label, {frame_.left - left_margin_ + sizes_.gap + 0.5 * sizes_.label, 0.5 * (frame_.bottom + frame_.top)},
+    add_text(panel_.y.label,
+             {frame_.left - left_margin_ + sizes_.gap + 0.5 * sizes_.label, 0.5 * (frame_.bottom + frame_.top)},
              sizes_.label, Anchor::centre, true);
   }
 
@@ -281,7 +282,8 @@ class PanelLayout {
     const double y = title_bottom_ - (static_cast<double>(entry.row) + 0.5) * legend_row_height();
     const Dot end{left + legend_sample(), y};
     if (curve.style == CurveStyle::points)
-      drawing_.shapes.emplace_back(DrawnPoints{{{0.5 * (left + end.x), y}}, curve.color, point_radius(curve), std::nullopt});
+      drawing_.shapes.emplace_back(
+          DrawnPoints{{{0.5 * (left + end.x), y}}, curve.color, point_radius(curve), std::nullopt});
     else if (curve.style == CurveStyle::reference)
       add_line({{left, y}, end}, reference_grey, sizes_.reference, false);
     else

@@ -14,14 +14,15 @@ namespace {
 const std::vector<Unit>& all_units() {
   // Of each SI unit the largest first: readable_unit takes the first that leaves a number of one or more.
   static const std::vector<Unit> units = {
-      {"GPa", "Pa", 1e9},    {"MPa", "Pa", 1e6},     {"kPa", "Pa", 1e3},      {"Pa", "Pa", 1.0},
-      {"m", "m", 1.0},       {"cm", "m", 1e-2},      {"mm", "m", 1e-3},       {"µm", "m", 1e-6},
-      {"s", "s", 1.0},       {"ms", "s", 1e-3},      {"µs", "s", 1e-6},       {"ns", "s", 1e-9},
-      {"km/s", "m/s", 1e3},  {"m/s", "m/s", 1.0}, {"mm/s", "m/s", 1e-3}, {"µm/s", "m/s", 1e-6},    {"kg/m3", "kg/m3", 1.0}, {"g/cm3", "kg/m3", 1e3},
-      {"MJ", "J", 1e6},      {"kJ", "J", 1e3},       {"J", "J", 1.0},         {"mJ", "J", 1e-3},
-      {"J/kg", "J/kg", 1.0}, {"kJ/kg", "J/kg", 1e3}, {"kN", "N", 1e3},        {"N", "N", 1.0},
-      {"kN s", "N s", 1e3},  {"N s", "N s", 1.0},    {"kg", "kg", 1.0},       {"g", "kg", 1e-3},
-      {"K", "K", 1.0},       {"%", "", 1e-2},        {"1", "", 1.0},          {"", "", 1.0},
+      {"GPa", "Pa", 1e9},      {"MPa", "Pa", 1e6},      {"kPa", "Pa", 1e3},    {"Pa", "Pa", 1.0},
+      {"m", "m", 1.0},         {"cm", "m", 1e-2},       {"mm", "m", 1e-3},     {"µm", "m", 1e-6},
+      {"s", "s", 1.0},         {"ms", "s", 1e-3},       {"µs", "s", 1e-6},     {"ns", "s", 1e-9},
+      {"km/s", "m/s", 1e3},    {"m/s", "m/s", 1.0},     {"mm/s", "m/s", 1e-3}, {"µm/s", "m/s", 1e-6},
+      {"kg/m3", "kg/m3", 1.0}, {"g/cm3", "kg/m3", 1e3}, {"MJ", "J", 1e6},      {"kJ", "J", 1e3},
+      {"J", "J", 1.0},         {"mJ", "J", 1e-3},       {"J/kg", "J/kg", 1.0}, {"kJ/kg", "J/kg", 1e3},
+      {"kN", "N", 1e3},        {"N", "N", 1.0},         {"kN s", "N s", 1e3},  {"N s", "N s", 1.0},
+      {"kg", "kg", 1.0},       {"g", "kg", 1e-3},       {"K", "K", 1.0},       {"%", "", 1e-2},
+      {"1", "", 1.0},          {"", "", 1.0},
   };
   return units;
 }

@@ -180,7 +180,8 @@ TEST(ParticlesView, DrawsTwoDimensions) {
   EXPECT_LT(content.share, 0.4);
 }
 
-/// `name`.png is what the picture must look like, and not with other colours, another title or a tenth less of the field.
+/// `name`.png is what the picture must look like, and not with other colours, another title or a tenth less of the
+/// field.
 void compare_with_baseline(const std::string& name, Frame frame, const RenderOptions& options) {
   const fs::path right = baselines / (name + ".png");
   EXPECT_TRUE(same(compare_images(draw(name, frame, options), right)));
