@@ -19,7 +19,7 @@ using Contradictions = std::vector<Contradiction>;
 template <int D>
 struct Nearest {
   double distance = std::numeric_limits<double>::max();  // m
-  bool behind = false;                                   // whether the particle is on the wall's side of it
+  double in_front = 0.0;                                 // m, of the dummy along its normal; negative behind it
 };
 
 /// The dummies of the first row by their first coordinate, so that only those within `reach` are looked at.
@@ -32,7 +32,7 @@ Nearest<D> nearest_dummy(const std::vector<WallPoint<D>>& by_x, const Vec<D>& po
     const Vec<D> apart = position - dummy->position;
     if (apart.norm() >= nearest.distance) continue;
     nearest.distance = apart.norm();
-    nearest.behind = dummy->normal.dot(apart) < 0.0;
+    nearest.in_front = dummy->normal.dot(apart);
   }
   return nearest;
 }
@@ -56,6 +56,9 @@ void check_gap(const Scene& scene, const BoundaryDescription& wall, const WallSu
                Contradictions& found) {
   const double spacing = scene.discretisation.spacing, h = scene.discretisation.smoothing_ratio * spacing;
   const Parameters& keys = wall.entry.parameters;
+  // A path drawn the wrong way round puts the first row onto the first particles: the second ones show it, a spacing
+  // away.
+  const double rounding = 1e-3 * spacing;
   const double reach = keys.has("range") ? keys.number("range") * h : 0.0;
   std::vector<WallPoint<D>> first_row = surface.rows(spacing, keys.number("first_row"), 1);
   std::sort(first_row.begin(), first_row.end(),
@@ -67,7 +70,7 @@ void check_gap(const Scene& scene, const BoundaryDescription& wall, const WallSu
       if (waits<D>(scene, position)) continue;
       const Nearest<D> nearest = nearest_dummy<D>(first_row, position, 2.0 * h);
       gap = std::min(gap, nearest.distance);
-      behind = behind || (nearest.behind && nearest.distance < spacing);
+      behind = behind || (nearest.in_front < -rounding && nearest.distance < spacing + rounding);
     }
     if (behind)
       found.push_back(

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "anvil/checkpoint/checkpoint.hpp"
@@ -22,6 +23,26 @@ constexpr double same_time = 1e-9;
 
 /// How many whole intervals have passed at `time`.
 double passed(double time, double interval) { return std::floor(time / interval + same_time); }
+
+/// A frame is refused rather than written with what is no number, or none in the precision of its file: guards look at
+/// what a step needs, and a stress breaks a step before the velocity does.
+void check_numbers(const Frame& frame, const std::string& precision) {
+  const double largest = precision == "float32" ? static_cast<double>(std::numeric_limits<float>::max())
+                                                : std::numeric_limits<double>::max();
+  for (const FrameArray& array : frame.arrays)
+    for (std::size_t k = 0; k < array.values.size(); ++k)
+      if (!(std::abs(array.values[k]) <= largest))
+        throw NumericalError(fmt::format("step {} at {:.6g} s: particle {}: {} is {}, which is no number in {}",
+                                         frame.step, frame.time, k / static_cast<std::size_t>(array.components),
+                                         array.name, array.values[k], precision));
+}
+
+void check_numbers(const std::vector<Quantity>& row) {
+  for (const Quantity& quantity : row)
+    if (!std::isfinite(quantity.value))
+      throw NumericalError(fmt::format("step {:g} at {:.6g} s: {} of the history is {}", row[1].value, row[0].value,
+                                       quantity.name, quantity.value));
+}
 
 HistoryWriter open_history(const RunOptions& options) {
   if (options.restart) return {options.folder.history(), options.restart->history_rows};
@@ -115,6 +136,7 @@ class RunLoop {
 
   void write_frame() {
     Frame frame = simulation_.frame();
+    check_numbers(frame, scene_.output.precision);
     frame.scene = scene_.name;
     frame.index = next_frame_;
     frame.provenance.insert(frame.provenance.end(), {{"title", scene_.title},
@@ -132,6 +154,7 @@ class RunLoop {
                                  {"time_step", "s", simulation_.last_time_step()}};
     const auto audit = simulation_.audit();
     row.insert(row.end(), audit.begin(), audit.end());
+    check_numbers(row);
     history_.append(row);
   }
 
