@@ -92,6 +92,7 @@ struct PairRecords {
       traction.keep(own, own + images);
     if (response.count() != 0) response.keep(own, own + images);
     if (slope.count() != 0) slope.keep(own, own + images);
+    if (correction.count() != 0) correction.keep(own, own + images);
     if (medium.count() == 0) return;
     medium.keep(own, own + images);
     for (std::size_t g = 0; g < images; ++g) medium[own + g][1] = 1.0;  // a density to divide by; their mass stays zero
