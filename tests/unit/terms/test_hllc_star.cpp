@@ -54,7 +54,7 @@ RiemannSide<double> side_of(const Solid& solid, double velocity, double deviator
           .density = solid.density,
           .elastic_speed = std::sqrt(solid.bulk_speed_squared + shear / solid.density),
           .plastic_speed = std::sqrt(solid.bulk_speed_squared),
-          .shear = shear,
+          .inverse_elastic_speed = 1.0 / std::sqrt(solid.bulk_speed_squared + shear / solid.density),
           .inverse_shear = shear > 0.0 ? 1.0 / shear : 0.0,
           .limit = solid.constants.shear_modulus > 0.0 ? 2.0 / 3.0 * solid.constants.yield_stress : 0.0};
 }

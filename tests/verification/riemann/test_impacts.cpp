@@ -84,9 +84,10 @@ TEST_P(EveryImpact, HasItsFrontsInPlace) {
       const double crossing = initial[3 * i] + (initial[3 * i + 3] - initial[3 * i]) * a / (a - b);
       if (std::abs(crossing - place) < std::abs(nearest)) nearest = crossing - place;
     }
-    // Two spacings is what is asked for; the precursor of wilkins stands 2.3 from its place, the weak wave from the
-    // free end of al_impact_free 5.1.
-    const double bound = GetParam().scene == "al_impact_free" ? 6.0 : 2.5;
+    // In al_impact_free a precursor of 200 MPa leaves the foot of a shock of 2.8 GPa, which reaches further ahead than
+    // two spacings where it has half of that: docs/riemann.md.
+    const bool from_foot = GetParam().scene == "al_impact_free" && std::abs(after - before) < 0.1 * peak;
+    const double bound = from_foot ? 6.0 : 2.0;
     EXPECT_LT(std::abs(nearest), bound * spacing) << "front at " << place << " m";
   }
   EXPECT_GE(fronts, 2);
