@@ -50,13 +50,13 @@ inline constexpr double padding_distance = 1e30;  // m
 
 /// Fields of the response record: what a Riemann problem asks of a material point beside its state.
 enum ResponseField : int {
-  response_pressure,       // Pa
-  response_density,        // kg/m3
-  response_elastic_speed,  // m/s
-  response_plastic_speed,  // m/s
-  response_shear,          // 4 G / 3, Pa
-  response_inverse_shear,  // 1/Pa
-  response_limit,          // 2 Y / 3, Pa
+  response_pressure,               // Pa
+  response_density,                // kg/m3
+  response_elastic_speed,          // m/s
+  response_plastic_speed,          // m/s
+  response_inverse_elastic_speed,  // s/m
+  response_inverse_shear,          // 3 / (4 G), 1/Pa
+  response_limit,                  // 2 Y / 3, Pa
 };
 
 /// Fields of the slope record: the velocity gradient (D x D, row first), density times acceleration (D), which is the
@@ -92,6 +92,7 @@ struct PairRecords {
       traction.keep(own, own + images);
     if (response.count() != 0) response.keep(own, own + images);
     if (slope.count() != 0) slope.keep(own, own + images);
+    if (correction.count() != 0) correction.keep(own, own + images);
     if (medium.count() == 0) return;
     medium.keep(own, own + images);
     for (std::size_t g = 0; g < images; ++g) medium[own + g][1] = 1.0;  // a density to divide by; their mass stays zero

@@ -169,7 +169,7 @@ Section<Shock> shock_section() {
             .standard = "linear",
             .help =
                 "states of the Riemann problems of hllc: constant takes those of the particles, as published; linear "
-                "extrapolates them to the middle of the pair with the limiter of van Albada",
+                "extrapolates them to the middle of the pair within limiters",
             .choices = {"linear", "constant"}},
            &Shock::reconstruction},
       }};

@@ -47,7 +47,7 @@ class Hllc final : public ForceTerm<D> {
   }
   [[nodiscard]] PairNeeds needs() const override {
     return {.gradient = choices_.gradient == PairGradient::corrected,
-            .plain_gradient = true,
+            .plain_gradient = choices_.gradient != PairGradient::corrected,
             .medium = true,
             .response = true,
             .slope = choices_.reconstructs,
@@ -66,7 +66,7 @@ class Hllc final : public ForceTerm<D> {
       response[response_density] = medium[1];
       response[response_elastic_speed] = std::sqrt(medium[0] * medium[0] + shear / medium[1]);
       response[response_plastic_speed] = medium[0];
-      response[response_shear] = shear;
+      response[response_inverse_elastic_speed] = 1.0 / response[response_elastic_speed];
       response[response_inverse_shear] = shear > 0.0 ? 1.0 / shear : 0.0;
       response[response_limit] = 2.0 / 3.0 * strength.yield_stress(i);
       if (correction_ != nullptr)

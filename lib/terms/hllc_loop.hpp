@@ -41,14 +41,31 @@ ANVIL_INLINE AlongPair<L> slope_along(const HllcRecords<D, L>& from, const L* n)
   return along;
 }
 
-/// Half of the change towards the partner: the mean after van Albada, van Leer and Roberts (1982) of the difference to
-/// the partner and the one behind, which the slope implies; zero at an extremum.
+/// Changes from either side to the middle of a pair.
 template <class L>
-ANVIL_INLINE L limited_half(const L& slope_times_distance, const L& difference) {
-  const L behind = L(2.0) * slope_times_distance - difference;
-  const L product = max(behind * difference, L(0.0));
-  const L squares = behind * behind + difference * difference + L(1e-300);
-  return L(0.5) * product * (behind + difference) / squares;
+struct HalfChanges {
+  L left, right;
+};
+
+/// The third-order limiter of Koren (1993) between the change behind, which the slope implies, and that to the partner.
+template <class L>
+ANVIL_INLINE L koren(const L& behind, const L& ahead) {
+  const L sign = select(ahead < L(0.0), L(-1.0), L(1.0)), size = sign * ahead, back = sign * behind;
+  return sign * max(L(0.0), min(L(2.0) * min(size, back), L(1.0 / 3.0) * (L(2.0) * size + back)));
+}
+
+/// Half of the change to the partner as two limiters see it, in the mean: that of van Albada, van Leer and Roberts
+/// (1982) and Koren's. Zero at an extremum. docs/riemann.md compares limiters.
+template <class L>
+ANVIL_INLINE HalfChanges<L> limited_halves(const L& left_change, const L& right_change, const L& difference) {
+  const L left = L(2.0) * left_change - difference, right = L(2.0) * right_change - difference;
+  const L square = difference * difference + L(1e-100);
+  const L left_squares = left * left + square, right_squares = right * right + square;
+  const L quarter = L(0.25) / (left_squares * right_squares);  // one quotient for both
+  return {quarter * right_squares * max(left * difference, L(0.0)) * (left + difference) +
+              L(0.25) * koren(left, difference),
+          quarter * left_squares * max(right * difference, L(0.0)) * (right + difference) +
+              L(0.25) * koren(right, difference)};
 }
 
 template <int D, class L>
@@ -60,7 +77,7 @@ ANVIL_INLINE RiemannSide<L> riemann_side(const HllcRecords<D, L>& from, const Al
           .density = from.response[response_density],
           .elastic_speed = from.response[response_elastic_speed],
           .plastic_speed = from.response[response_plastic_speed],
-          .shear = from.response[response_shear],
+          .inverse_elastic_speed = from.response[response_inverse_elastic_speed],
           .inverse_shear = from.response[response_inverse_shear],
           .limit = from.response[response_limit]};
 }
@@ -78,10 +95,12 @@ ANVIL_INLINE AlongPair<L> star_excess(const HllcRecords<D, L>& own, const HllcRe
     const L bodies = own.slope[SlopeField<D>::body] - other.slope[SlopeField<D>::body];
     const auto same = bodies * bodies < L(0.25);
     const L length = select(same, distance, L(0.0)), one = select(same, L(1.0), L(0.0));
-    left_middle.velocity += one * limited_half(left_slope.velocity * length, rise);
-    left_middle.stress += one * limited_half(left_slope.stress * length, pull);
-    right_middle.velocity -= one * limited_half(right_slope.velocity * length, rise);
-    right_middle.stress -= one * limited_half(right_slope.stress * length, pull);
+    const HalfChanges<L> rises = limited_halves(left_slope.velocity * length, right_slope.velocity * length, rise);
+    const HalfChanges<L> pulls = limited_halves(left_slope.stress * length, right_slope.stress * length, pull);
+    left_middle.velocity += one * rises.left;
+    left_middle.stress += one * pulls.left;
+    right_middle.velocity -= one * rises.right;
+    right_middle.stress -= one * pulls.right;
   }
   const StarState<L> star =
       hllc_star(riemann_side<D>(own, left, left_middle), riemann_side<D>(other, right, right_middle));
@@ -127,7 +146,7 @@ void sum_hllc_of(const PairTile<D>& tile, const PairRecords<D>& records, bool co
     for (std::int64_t k = begin; k < end; k += lanes<D>) {
       const std::int64_t at = k - tile.first[tile.begin];
       if constexpr (lanes<D> == 1 && D == 1)
-        if (tile.plain_gradient[0][at] == 0.0) continue;  // out of reach
+        if (gradient[0][at] == 0.0) continue;  // out of reach
       HllcRecords<D, L> other;
       L other_place[PairRecords<D>::small];
       load_record(records.geometry, tile.neighbour + k, other_place);

@@ -76,7 +76,7 @@ RiemannSide<double> side_of(HllcCloud<D>& hllc, std::size_t i, const Vec<D>& n) 
           .density = density,
           .elastic_speed = std::sqrt(speed * speed + shear / density),
           .plastic_speed = speed,
-          .shear = shear,
+          .inverse_elastic_speed = 1.0 / std::sqrt(speed * speed + shear / density),
           .inverse_shear = 1.0 / shear,
           .limit = 2.0 / 3.0 * 2e9};
 }

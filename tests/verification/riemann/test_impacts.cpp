@@ -57,7 +57,7 @@ class EveryImpact : public testing::TestWithParam<Expected> {};
 TEST_P(EveryImpact, HasItsPlateausAndConservesEnergy) {
   const Impact impact(GetParam().scene);
   EXPECT_LT(impact.compared("stress_l1"), 1.1 * GetParam().l1);  // the measured one and a tenth
-  EXPECT_LT(impact.compared("plateau_error"), 0.0015);           // measured: up to 0.0011; asked for: 0.005
+  EXPECT_LT(impact.compared("plateau_error"), 0.002);            // measured: up to 0.0016; asked for: 0.005
   EXPECT_LT(impact.compared("stress_overshoot"), 0.003);
   const double total = audited(*impact.simulation, "total_energy");
   EXPECT_LT(std::abs(audited(*impact.simulation, "energy_error")), 1e-12 * total);  // round-off of some 1000 steps
@@ -84,9 +84,10 @@ TEST_P(EveryImpact, HasItsFrontsInPlace) {
       const double crossing = initial[3 * i] + (initial[3 * i + 3] - initial[3 * i]) * a / (a - b);
       if (std::abs(crossing - place) < std::abs(nearest)) nearest = crossing - place;
     }
-    // Two spacings is what is asked for; the precursor of wilkins stands 2.3 from its place, the weak wave from the
-    // free end of al_impact_free 5.1.
-    const double bound = GetParam().scene == "al_impact_free" ? 6.0 : 2.5;
+    // In al_impact_free a precursor of 200 MPa leaves the foot of a shock of 2.8 GPa, which reaches further ahead than
+    // two spacings where it has half of that: docs/riemann.md.
+    const bool from_foot = GetParam().scene == "al_impact_free" && std::abs(after - before) < 0.1 * peak;
+    const double bound = from_foot ? 6.0 : 2.0;
     EXPECT_LT(std::abs(nearest), bound * spacing) << "front at " << place << " m";
   }
   EXPECT_GE(fronts, 2);
@@ -94,7 +95,7 @@ TEST_P(EveryImpact, HasItsFrontsInPlace) {
 
 INSTANTIATE_TEST_SUITE_P(Riemann, EveryImpact,
                          testing::Values(Expected{"al_impact", 0.0047}, Expected{"al_impact_free", 0.0052},
-                                         Expected{"wilkins", 0.0044}, Expected{"cu_al", 0.0053}),
+                                         Expected{"wilkins", 0.0042}, Expected{"cu_al", 0.0049}),
                          [](const auto& named) { return named.param.scene; });
 
 /// An under-damped shock swings past the yield surface and leaves the deviator near -0.166 GPa, the shelf of the
