@@ -40,6 +40,7 @@ std::size_t StudyJournal::restore(const StudyDescription& study, std::vector<Stu
     const auto found = lines_.find(identify_run(study.grids[run.grid], run));
     if (found == lines_.end()) continue;
     read_outcome(found->second, run);
+    run.known = true;
     ++known;
   }
   return known;
