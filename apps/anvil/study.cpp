@@ -18,10 +18,15 @@
 #include "anvil/study/journal.hpp"
 #include "anvil/study/record.hpp"
 #include "anvil/study/report.hpp"
+#include "anvil/study/stability.hpp"
 #include "command_line.hpp"
 #include "figure_file.hpp"
 #include "progress.hpp"
 #include "table.hpp"
+
+#if ANVIL_WITH_VTK
+#include "vtk_io/sample_file.hpp"
+#endif
 
 namespace anvil {
 namespace {
@@ -30,12 +35,13 @@ namespace fs = std::filesystem;
 namespace po = boost::program_options;
 
 Usage make_usage() {
-  Usage usage{"anvil study STUDY [-o DIR] [options]",
-              "Runs the scenes of a study file, or of the bundled study of that name, over all values of its axes;\n"
-              "prints tables and writes results.csv, results.h5, study.json and, where the study has some, figures\n"
-              "into a folder. Each run takes one thread. Runs that fail are listed with their reason. Started again,\n"
-              "it goes on with the runs that the folder does not have yet.",
-              "STUDY"};
+  Usage usage{
+      "anvil study STUDY [-o DIR] [options]",
+      "Runs the scenes of a study file, or of the bundled study of that name, over all values of its axes;\n"
+      "prints tables and writes results.csv, results.h5, study.json and, where the study has some, figures\n"
+      "into a folder. Each run takes one thread. Runs that fail are listed with their reason. Started again,\n"
+      "it goes on with the runs that the folder does not have yet. A study.json is shown again, and drawn with -o.",
+      "STUDY"};
   auto add = usage.options.add_options();
   add("output,o", po::value<std::string>()->value_name("DIR"), "folder of the results (default: results/<study>)");
   add("threads", po::value<int>()->value_name("N"), "runs at the same time (default: all processors)");
@@ -81,19 +87,27 @@ void print_report(const StudyDescription& study, const std::vector<StudyRun>& ru
     print_table(table.rows, table.alignment);
     fmt::print("\n");
   }
+  if (study.report == StudyReport::stability) return;  // outcomes, with their reasons in stability.csv
   for (const auto& run : runs)
     if (run.status != StudyStatus::finished)
       fmt::print("{} {} {}: {}\n", study.grids[run.grid].title, fmt::join(run.axis_values, ", "),
                  status_name(run.status), run.reason);
 }
 
-/// PNG where this build can write it, and SVG.
-std::vector<fs::path> write_results(const StudyDescription& study, const std::vector<StudyRun>& runs,
-                                    const StudyPeriod& period, const fs::path& folder) {
-  std::vector<fs::path> files = {folder / "results.csv", folder / "results.h5", folder / "study.json"};
-  write_text_atomically(files[0], study_csv(study, runs));
-  write_study_h5(files[1], study, runs);
-  write_text_atomically(files[2], study_json(study, runs, period));
+/// Bisects for the limits that a study of stability asks for.
+void print_limits(const StudyDescription& study, const std::vector<StudyRun>& runs,
+                  const std::vector<std::string>& set) {
+  const auto limits = find_stability_limits(study, runs, set);
+  if (limits.empty()) return;
+  const StudyTable table = limit_table(study, limits);
+  fmt::print("{}\n", table.title);
+  print_table(table.rows, table.alignment);
+  fmt::print("\n");
+}
+
+/// SVG, and PNG where this build can write it.
+void draw_figures(const StudyDescription& study, const std::vector<StudyRun>& runs, const fs::path& folder,
+                  std::vector<fs::path>& files) {
   for (const auto& [suffix, figure] : study_figures(study, runs)) {
     const Drawing drawing = lay_out(figure);
     files.push_back(folder / (study.name + suffix + ".svg"));
@@ -103,6 +117,41 @@ std::vector<fs::path> write_results(const StudyDescription& study, const std::ve
     write_figure(drawing, files.back());
 #endif
   }
+}
+
+/// Tables and figures of a study.json, without running anything.
+void show_record(const fs::path& file, const po::variables_map& values) {
+  const auto [study, runs] = read_study_record(file);
+  // Its maps need the scenes of the runs.
+  if (study.report == StudyReport::stability) throw InputError("a study of stability is drawn where it is run");
+  std::vector<fs::path> files;
+  if (values.count("output") != 0) {
+    const fs::path folder = values["output"].as<std::string>();
+    ensure_folder(folder);
+    draw_figures(study, runs, folder, files);
+  }
+  print_report(study, runs);
+  for (const auto& one : files) fmt::print("{}\n", one.string());
+}
+
+std::vector<fs::path> write_results(const StudyDescription& study, const std::vector<StudyRun>& runs,
+                                    const StudyPeriod& period, const fs::path& folder) {
+  std::vector<fs::path> files = {folder / "results.csv", folder / "results.h5", folder / "study.json"};
+  write_text_atomically(files[0], study_csv(study, runs));
+  write_study_h5(files[1], study, runs);
+  write_text_atomically(files[2], study_json(study, runs, period));
+  if (study.report == StudyReport::stability) {
+    files.push_back(folder / "stability.csv");
+    write_text_atomically(files.back(), stability_csv(study, runs));
+#if ANVIL_WITH_VTK
+    for (std::size_t grid = 0; grid < study.grids.size(); ++grid)
+      if (const auto map = stability_map(study, runs, grid)) {
+        files.push_back(folder / fmt::format("{}_{}.vti", study.name, grid + 1));
+        write_sample_file(map->frame, map->grid, files.back());
+      }
+#endif
+  }
+  draw_figures(study, runs, folder, files);
   return files;
 }
 
@@ -112,7 +161,12 @@ int execute_study(const Arguments& arguments) {
   Usage usage = make_usage();
   const auto values = parse(usage, arguments);
   if (!values) return 0;
-  const StudyDescription study = read_study(locate_study(required(*values, usage, "STUDY")));
+  const std::string argument = required(*values, usage, "STUDY");
+  if (fs::path(argument).extension() == ".json") {
+    show_record(argument, *values);
+    return 0;
+  }
+  const StudyDescription study = read_study(locate_study(argument));
   const fs::path folder =
       values->count("output") != 0 ? fs::path((*values)["output"].as<std::string>()) : fs::path("results") / study.name;
   const bool quiet = (*values)["quiet"].as<bool>();
@@ -133,6 +187,7 @@ int execute_study(const Arguments& arguments) {
   const auto files = write_results(study, runs, period, folder);
   if (quiet) return 0;
   print_report(study, runs);
+  if (study.report == StudyReport::stability) print_limits(study, runs, repeated(*values, "set"));
   for (const auto& file : files) fmt::print("{}\n", file.string());
   return 0;
 }

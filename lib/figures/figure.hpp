@@ -28,6 +28,7 @@ struct PlottedCurve {
   CurveStyle style = CurveStyle::line;
   Color color;
   std::vector<double> x, y;
+  double point_size = 1.0;                     // over the usual one
   std::vector<std::string> point_labels = {};  // beside the points, as far as there is room; as many as points, or none
 };
 

@@ -169,7 +169,7 @@ class PanelLayout {
     std::vector<Dot> dots;
     const auto flush = [&] {
       if (curve.style == CurveStyle::points)
-        drawing_.shapes.emplace_back(DrawnPoints{dots, color, point_radius(curve), frame_});
+        drawing_.shapes.emplace_back(DrawnPoints{dots, color, curve.point_size * point_radius(curve), frame_});
       else if (dots.size() > 1)
         add_line(dots, color, reference ? sizes_.reference : sizes_.curve, true);
       dots.clear();

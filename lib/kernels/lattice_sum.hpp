@@ -13,4 +13,11 @@ namespace anvil {
 /// so small that no neighbour lies in the support. Throws InputError for other arguments.
 double lattice_wave_speed_factor(const Kernel& kernel, int dimension, double gamma);
 
+/// The largest cfl (time step times wave speed over smoothing length) at which the leapfrog is stable with that
+/// operator, acting once on the stress and once on the velocity, without viscosity: 2/(h max_k |G(k)|), where
+/// G(k) = sum_j V_j grad W_ij sin(k (x_j - x_i)) and k runs along the axes and the diagonals of the lattice (von
+/// Neumann's analysis; omega dt < 2). Arguments and errors as above; infinite where no neighbour lies in the support.
+/// `corrected`: with gradients corrected to be exact for linear fields, G over alpha.
+double largest_stable_cfl(const Kernel& kernel, int dimension, double gamma, bool corrected);
+
 }  // namespace anvil

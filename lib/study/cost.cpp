@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 
@@ -41,9 +42,8 @@ std::optional<std::vector<double>> mean_errors(const StudyGrid& grid, const Stud
   for (const auto& row : run.rows)
     for (std::size_t m = 0; m < errors.size(); ++m)
       errors[m] += std::abs(row.values[m]) / static_cast<double>(run.rows.size());
-  // Zero cannot stand on a logarithmic axis, and no error of a run is zero.
-  if (!std::ranges::all_of(errors, [](double error) { return std::isfinite(error) && error > 0.0; }))
-    return std::nullopt;
+  // Zero cannot stand on a logarithmic axis; beyond one a run has little to do with its reference.
+  if (!std::ranges::all_of(errors, [](double error) { return error > 0.0 && error <= 1.0; })) return std::nullopt;
   return errors;
 }
 
@@ -125,6 +125,31 @@ std::vector<CurvePoints> curves_of(const std::vector<CostPoint>& points) {
   return curves;
 }
 
+/// Curves beyond the last colour take the first ones again, darker.
+Color distinct_color(std::size_t number) {
+  constexpr std::size_t colors = 7;  // of curve_color
+  const auto [red, green, blue] = curve_color(number);
+  const auto dark = [&](unsigned char part) { return number < colors ? part : static_cast<unsigned char>(part / 2); };
+  return {dark(red), dark(green), dark(blue)};
+}
+
+/// Leaves room around the points, on the right and above for their names.
+void widen(Axis& axis, const std::vector<PlottedCurve>& curves, std::vector<double> PlottedCurve::*values) {
+  double least = std::numeric_limits<double>::max(), greatest = 0.0;
+  for (const auto& curve : curves)
+    for (const double value : curve.*values) {
+      least = std::min(least, value);
+      greatest = std::max(greatest, value);
+    }
+  const double margin = std::pow(greatest / least, 0.04);
+  axis.range = {least / margin, greatest * margin * margin * margin};
+}
+
+void widen(Panel& panel) {
+  widen(panel.x, panel.curves, &PlottedCurve::x);
+  widen(panel.y, panel.curves, &PlottedCurve::y);
+}
+
 /// A line and its points; the label goes to the line.
 void add_curve(Panel& panel, PlottedCurve line) {
   PlottedCurve points = line;
@@ -156,7 +181,7 @@ Panel cost_panel(const StudyDescription& study, const std::vector<CostPoint>& po
   panel.y = {.label = study.grids.front().measures[measure], .logarithmic = true, .range = {}};
   std::size_t color = 0;
   for (const auto& [name, members] : curves_of(points)) {
-    PlottedCurve curve{.label = name, .style = CurveStyle::line, .color = curve_color(color++), .x = {}, .y = {}};
+    PlottedCurve curve{.label = name, .style = CurveStyle::line, .color = distinct_color(color++), .x = {}, .y = {}};
     for (const auto* point : members) {
       curve.x.push_back(cost(*point));
       curve.y.push_back(point->errors[measure]);
@@ -164,6 +189,7 @@ Panel cost_panel(const StudyDescription& study, const std::vector<CostPoint>& po
     add_curve(panel, std::move(curve));
   }
   add_front(panel, points, cost, measure);
+  widen(panel);
   return panel;
 }
 
@@ -197,10 +223,12 @@ std::vector<CostPoint> cost_points(const StudyDescription& study, const std::vec
 }
 
 std::vector<bool> pareto_front(std::span<const double> cost, std::span<const double> error) {
+  constexpr double as_accurate = 1.001;  // a quarter model differs from the whole by rounding
   std::vector<bool> front(cost.size(), true);
   for (std::size_t a = 0; a < cost.size(); ++a)
     for (std::size_t b = 0; b < cost.size(); ++b)
-      if (cost[b] <= cost[a] && error[b] <= error[a] && (cost[b] < cost[a] || error[b] < error[a])) front[a] = false;
+      if (cost[b] <= cost[a] && error[b] <= as_accurate * error[a] && (cost[b] < cost[a] || error[b] < error[a]))
+        front[a] = false;
   return front;
 }
 
@@ -241,7 +269,7 @@ Figure convergence_figure(const StudyDescription& study, const std::vector<Study
     panel.y = {.label = measures[m], .logarithmic = true, .range = {}};
     std::size_t color = 0;
     for (const auto& [name, members] : curves_of(points)) {
-      PlottedCurve curve{.label = {}, .style = CurveStyle::line, .color = curve_color(color++), .x = {}, .y = {}};
+      PlottedCurve curve{.label = {}, .style = CurveStyle::line, .color = distinct_color(color++), .x = {}, .y = {}};
       for (const auto* point : members) {
         const StudyRun& run = runs[point->run];
         const auto number = number_in(run.axis_values.back());
@@ -253,6 +281,7 @@ Figure convergence_figure(const StudyDescription& study, const std::vector<Study
       curve.label = std::isfinite(order) ? fmt::format("{} (order {:.2f})", name, order) : name;
       add_curve(panel, std::move(curve));
     }
+    widen(panel);
   }
   figure.size = {1600, 100 + 1000 * static_cast<int>(measures.size())};
   return figure;

@@ -20,10 +20,12 @@ struct CostPoint {
   double particle_steps;
 };
 
-/// The finished runs whose measures are all seen. All grids have the same measures, as the report `cost` demands.
+/// The finished runs whose measures are all seen and not beyond 100 %. All grids have the same measures, as the report
+/// `cost` demands.
 std::vector<CostPoint> cost_points(const StudyDescription& study, const std::vector<StudyRun>& runs);
 
-/// Which points nothing beats: no other one is at least as cheap and as accurate, and better in one of the two.
+/// Which points nothing beats: no other one is at least as cheap and, within a thousandth, as accurate, and
+/// better in one of the two.
 std::vector<bool> pareto_front(std::span<const double> cost, std::span<const double> error);
 
 /// A table of all points, those on a front marked, and per measure one of the cheapest point that reaches an error.

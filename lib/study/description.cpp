@@ -38,7 +38,8 @@ class StudyReader {
 
   StudyDescription read(const toml::table& document) {
     StudyDescription study;
-    const Key report{.name = "report", .kind = ValueKind::choice, .choices = {"table", "orders", "speeds", "cost"}};
+    const Key report{
+        .name = "report", .kind = ValueKind::choice, .choices = {"table", "orders", "speeds", "cost", "stability"}};
     const auto named = read_as<std::string>(report, document, "");
     if (named)
       study.report = static_cast<StudyReport>(std::ranges::find(report.choices, *named) - report.choices.begin());
@@ -63,6 +64,8 @@ class StudyReader {
     if (report == StudyReport::table) return;
     if (grid.axes.empty())
       add_problem(document, fmt::format("the grid '{}' needs an axis, over which the report goes", grid.title));
+    if (report == StudyReport::stability && grid.axes.size() != 2)
+      add_problem(document, fmt::format("the grid '{}' needs two axes for its report", grid.title));
     if (report == StudyReport::speeds && std::ranges::find(grid.measures, "lattice_factor") == grid.measures.end())
       add_problem(document, fmt::format("the grid '{}' needs the measure lattice_factor for its report", grid.title));
   }
@@ -78,6 +81,10 @@ class StudyReader {
     if (!std::is_sorted(grid.times.begin(), grid.times.end()))
       add_problem(table, fmt::format("key '{}.times' must ascend", path));
     grid.set = read_texts(table, "set", path);
+    grid.bound = read_as<double>({.name = "bound", .kind = ValueKind::number, .range = Range::positive}, table, path)
+                     .value_or(grid.bound);
+    grid.refine = read_as<double>({.name = "refine", .kind = ValueKind::number, .range = Range::positive}, table, path)
+                      .value_or(grid.refine);
     grid.measures = read_texts(table, "measures", path);
     if (grid.measures.empty()) add_problem(table, fmt::format("'{}' lacks the key 'measures'", path));
     for (const auto& measure : grid.measures) check_measure(table, measure, path);
@@ -88,7 +95,7 @@ class StudyReader {
       grid.references.push_back(read_reference_table(reference, reference_path));
       if (grid.axes.empty()) add_problem(reference, fmt::format("'{}' needs an axis to run along", reference_path));
     });
-    check_known(table, {"title", "scene", "set", "times", "measures", "axis", "reference"}, path);
+    check_known(table, {"title", "scene", "set", "times", "measures", "axis", "reference", "bound", "refine"}, path);
     return grid;
   }
 

@@ -36,6 +36,8 @@ struct StudyGrid {
   std::vector<std::string> measures;
   std::vector<StudyAxis> axes;
   std::vector<StudyReference> references;
+  double bound = 0.1;   // stability: the first measure beyond it is inaccurate
+  double refine = 0.0;  // stability: relative width to which the limit along the last axis is bisected; 0: it is not
 
   [[nodiscard]] std::size_t run_count() const;
   /// The value of every axis in the run of that number.
@@ -43,7 +45,7 @@ struct StudyGrid {
 };
 
 /// How the outcome of a study is printed and drawn.
-enum class StudyReport { table, orders, speeds, cost };
+enum class StudyReport { table, orders, speeds, cost, stability };
 
 struct StudyDescription {
   std::string name;  // stem of the file

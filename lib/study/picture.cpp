@@ -9,6 +9,7 @@
 #include "anvil/study/cost.hpp"
 #include "anvil/study/report.hpp"
 #include "anvil/study/run_table.hpp"
+#include "anvil/study/stability.hpp"
 
 namespace anvil {
 namespace {
@@ -85,6 +86,7 @@ std::vector<StudyFigure> study_figures(const StudyDescription& study, const std:
     if (cost_points(study, runs).empty()) return {};
     return {{"", cost_figure(study, runs)}, {"_convergence", convergence_figure(study, runs)}};
   }
+  if (study.report == StudyReport::stability) return stability_figures(study, runs);
   Figure figure;
   figure.title = study.title;
   figure.columns = std::min<int>(3, static_cast<int>(study.grids.size()));

@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* format_name = "anvil study 1";
-constexpr std::array reports = {"table", "orders", "speeds", "cost"};
+constexpr std::array reports = {"table", "orders", "speeds", "cost", "stability"};
 
 /// JSON knows no NaN: null stands for it.
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }

@@ -9,6 +9,7 @@
 
 #include "anvil/study/cost.hpp"
 #include "anvil/study/run_table.hpp"
+#include "anvil/study/stability.hpp"
 
 namespace anvil {
 namespace {
@@ -93,6 +94,7 @@ StudyTable speed_table(const RunTable& table, const StudyReference& reference) {
 
 std::vector<StudyTable> study_tables(const StudyDescription& study, const std::vector<StudyRun>& runs) {
   if (study.report == StudyReport::cost) return cost_tables(study, runs);
+  if (study.report == StudyReport::stability) return stability_tables(study, runs);
   std::vector<StudyTable> tables;
   for (std::size_t number = 0; number < study.grids.size(); ++number) {
     const RunTable table(study, runs, number);
