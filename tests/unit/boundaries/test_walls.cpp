@@ -149,7 +149,7 @@ TEST(WallLaws, TheMicromodulusStoresTheEnergyOfASolid) {
   EXPECT_NEAR(0.25 * c0 * integral, 2.0 * (modulus + 0.2 * modulus), 1e-4 * modulus);
 }
 
-/// Midway between two dummies one reach apart: 1.79 times the speed of sound (the figure).
+/// Midway between two dummies one reach apart: 1.79 times the speed of sound.
 TEST(WallLaws, TheBarrierMidwayBetweenTwoDummies) {
   const double modulus = 1.176e6, density = 1000.0, sound = std::sqrt(modulus / density);
   const PeridynamicForce law(2, modulus, spacing, 1.0, spacing);

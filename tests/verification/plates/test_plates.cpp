@@ -67,7 +67,7 @@ TEST(PlatePerfect, KeepsPrecursorAndPlateau) {
     const auto comparison = run_plate(plate_scene("plate_perfect", overrides), {8e-6})[0];
     // Zones well inside the plateaus, some 20 particles off their fronts at 19.7, 42.7 and 52.5 mm.
     const double precursor = comparison.mean_stress(45e-3, 50.5e-3), plateau = comparison.mean_stress(22e-3, 40e-3);
-    EXPECT_NEAR(precursor, -1.9709e9, 0.015 * 1.9709e9);  // asked for by the issue; finite strain takes 0.2 % of it
+    EXPECT_NEAR(precursor, -1.9709e9, 0.015 * 1.9709e9);  // within 1.5 %; finite strain takes 0.2 % of it
     EXPECT_NEAR(plateau, -5e9, 0.001 * 5e9);
   }
 }
