@@ -135,7 +135,7 @@ TEST(AlImpact, IsTheSameWithThePublishedGradients) {
 TEST(CuAl, IsQuietAtTheContact) {
   StudyDescription study = read_study(locate_study("contact_oscillation"));
   std::vector<StudyRun> runs = prepare_study(study, {});
-  run_study(study, runs, 2, [](std::size_t, std::size_t) {});
+  run_study(study, runs, 2, [](const StudyPosition&) {});
   ASSERT_EQ(runs.size(), 5U);
   for (const std::size_t measure : {0U, 1U}) {
     const double hllc = runs[0].rows.back().values[measure], viscosity = runs[3].rows.back().values[measure];
