@@ -338,7 +338,8 @@ Drawing lay_out(const Figure& figure) {
   std::vector<std::array<double, 2>> margins(columns, {0.0, 0.0});
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const double left = width * static_cast<double>(i % columns);
-    const double top = full_height - height * static_cast<double>(i / columns);
+    const std::size_t row = i / columns;
+    const double top = full_height - height * static_cast<double>(row);
     panels.emplace_back(figure.panels[i], Box{left, top - height, left + width, top}, drawing);
     auto& [left_margin, right_margin] = margins[i % columns];
     left_margin = std::max(left_margin, panels.back().left_margin());
