@@ -22,11 +22,11 @@ ANVIL_INLINE void for_each_row(const PairTile<D>& tile, Row&& row) {
 /// The records (Records or their Rows) of the N neighbours from `index` on, field by field.
 template <int N, class SomeRecords>
 ANVIL_INLINE void load_record(const SomeRecords& records, const std::int32_t* index, Lanes<N>* out) {
-  constexpr int Size = SomeRecords::size;
-  if constexpr (Size == 2) {
+  constexpr int size = SomeRecords::size;
+  if constexpr (size == 2) {
     load_two_fields<N>(records.raw(), index, out);
   } else {
-    for (int f = 0; f < Size; f += 4) load_four_fields<N>(records.raw() + f, Size, index, out + f);
+    for (int f = 0; f < size; f += 4) load_four_fields<N>(records.raw() + f, size, index, out + f);
   }
 }
 
