@@ -55,7 +55,7 @@ TEST(CylindricalShell, StopsNearTheRadiiOfRigidPlasticTheory) {
 /// With the first order, which is the viscosity; the rest is smaller.
 TEST(CylindricalShell, ConvergesWithTheCells) {
   std::vector<double> radii;
-  for (const std::size_t cells : {10, 20, 40, 80}) {
+  for (const std::size_t cells : {10U, 20U, 40U, 80U}) {
     CylindricalShell shell(beryllium(), cells);
     shell.advance_to(100.0 * us);
     radii.push_back(shell.inner_radius());
