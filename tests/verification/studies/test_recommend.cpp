@@ -36,7 +36,7 @@ StudyRun run_of(const std::string& scene, const Recommendation& recommendation) 
   return runs[0];
 }
 
-/// Steps do not depend on the machine, so they stand for the time: docs/accuracy_and_cost.md measures that.
+/// Steps do not depend on the machine, so they stand for the time here.
 void expect_kept(const std::string& scene, const Recommendation& recommendation) {
   const StudyRun run = run_of(scene, recommendation);
   double error = 0.0;
