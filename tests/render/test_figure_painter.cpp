@@ -44,7 +44,8 @@ Figure make_figure() {
 }
 
 fs::path paint(const Figure& figure, const char* name) {
-  const fs::path png = fs::path("pictures") / name;
+  const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
+  const fs::path png = fs::path("pictures") / test->test_suite_name() / test->name() / name;
   fs::create_directories(png.parent_path());
   paint_png(lay_out(figure), png);
   return png;

@@ -28,9 +28,10 @@ RenderOptions baseline_options() {
   return options;
 }
 
-/// Draws into the folder of the test, where a picture that fails can be looked at.
+/// Draws into a folder of the test's own, where a picture that fails can be looked at: tests run side by side.
 fs::path draw(const std::string& name, const Frame& frame, const RenderOptions& options) {
-  const fs::path png = fs::path("pictures") / (name + ".png");
+  const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
+  const fs::path png = fs::path("pictures") / test->test_suite_name() / test->name() / (name + ".png");
   fs::create_directories(png.parent_path());
   render_frame(frame, options, png);
   return png;
