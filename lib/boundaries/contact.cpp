@@ -66,6 +66,7 @@ Contact<D>::Contact(std::vector<Surface<D>> surfaces, FieldStore& fields, double
       velocity_(fields.vector<D>(field::velocity)),
       mass_(fields.scalar(field::mass)),
       reach_(0.5 * spacing),
+      skin_(0.5 * spacing),
       side_tolerance_(0.05 * spacing) {}
 
 template <int D>
@@ -136,12 +137,10 @@ void Contact<D>::update_outward(std::size_t surface) {
   }
 }
 
-/// Each particle of one surface meets the nearest facet of the other that faces it. Of facets around one edge or corner
-/// that are equally near, the one that faces it most: the sides of a bar meet nothing when its end does.
+/// Facets that a particle can meet before one of them moves by half the skin.
 template <int D>
-void Contact<D>::meet(std::size_t points, std::size_t facets) {
-  using Entry = std::pair<Box<D>, std::size_t>;
-  const double same_distance = 1e-9 * reach_;
+void Contact<D>::find_candidates(std::size_t points, std::size_t facets) {
+  using Entry = std::pair<Box<D>, std::int32_t>;
   const std::vector<BodyFacet<D>>& others = surfaces_[facets].facets;
   std::vector<Entry> boxes;
   for (std::size_t f = 0; f < others.size(); ++f) {
@@ -151,23 +150,38 @@ void Contact<D>::meet(std::size_t points, std::size_t facets) {
       low = low.cwiseMin(corner);
       high = high.cwiseMax(corner);
     }
-    boxes.emplace_back(box_between<D>(low.array() - reach_, high.array() + reach_), f);
+    boxes.emplace_back(box_between<D>(low.array() - (reach_ + skin_), high.array() + (reach_ + skin_)),
+                       static_cast<std::int32_t>(f));
   }
   const geometry::index::rtree<Entry, geometry::index::rstar<8>> tree(boxes);
   std::vector<Entry> near;
-  for (std::size_t p = 0; p < surfaces_[points].particles.size(); ++p) {
-    const std::int32_t particle = surfaces_[points].particles[p];
+  Candidates& found = candidates_.emplace_back(Candidates{points, facets, {0}, {}});
+  for (const std::int32_t particle : surfaces_[points].particles) {
     const Vec<D> place = position_[static_cast<std::size_t>(particle)];
     near.clear();
     tree.query(geometry::index::intersects(box_between<D>(place, place)), std::back_inserter(near));
+    for (const Entry& entry : near) found.facets.push_back(entry.second);
     // By number, so that the first of equal facets does not depend on the tree.
-    std::sort(near.begin(), near.end(), [](const Entry& a, const Entry& b) { return a.second < b.second; });
+    std::sort(found.facets.begin() + found.end.back(), found.facets.end());
+    found.end.push_back(static_cast<std::int32_t>(found.facets.size()));
+  }
+}
+
+/// Each particle of one surface meets the nearest facet of the other that faces it. Of facets around one edge or corner
+/// that are equally near, the one that faces it most: the sides of a bar meet nothing when its end does.
+template <int D>
+void Contact<D>::meet(const Candidates& candidates) {
+  const double same_distance = 1e-9 * reach_;
+  const std::vector<std::int32_t>& particles = surfaces_[candidates.points].particles;
+  const std::vector<BodyFacet<D>>& others = surfaces_[candidates.surface].facets;
+  for (std::size_t p = 0; p < particles.size(); ++p) {
     std::optional<Meeting> nearest;
     double least = std::numeric_limits<double>::max(), most_opposed = 0.0;
-    for (const Entry& entry : near) {
-      const std::optional<Meeting> meeting = meeting_of(particle, others[entry.second]);
+    for (std::int32_t k = candidates.end[p]; k < candidates.end[p + 1]; ++k) {
+      const auto facet = static_cast<std::size_t>(candidates.facets[static_cast<std::size_t>(k)]);
+      const std::optional<Meeting> meeting = meeting_of(particles[p], others[facet]);
       if (!meeting) continue;
-      const double opposed = -meeting->normal.dot(outward_[points][p]);
+      const double opposed = -meeting->normal.dot(outward_[candidates.points][p]);
       const double distance = meeting->distance;
       if (opposed <= 0.0 || distance > least + same_distance) continue;
       if (distance > least - same_distance && opposed <= most_opposed) continue;
@@ -180,13 +194,31 @@ void Contact<D>::meet(std::size_t points, std::size_t facets) {
 }
 
 template <int D>
+bool Contact<D>::moved_by_half_the_skin() const {
+  std::size_t k = 0;
+  for (const Surface<D>& surface : surfaces_)
+    for (const std::int32_t particle : surface.particles)
+      if ((Vec<D>(position_[static_cast<std::size_t>(particle)]) - searched_[k++]).squaredNorm() > 0.25 * skin_ * skin_)
+        return true;
+  return false;
+}
+
+template <int D>
 void Contact<D>::find_meetings() {
+  if (searched_.empty() || moved_by_half_the_skin()) {
+    searched_.clear();
+    for (const Surface<D>& surface : surfaces_)
+      for (const std::int32_t particle : surface.particles)
+        searched_.emplace_back(position_[static_cast<std::size_t>(particle)]);
+    candidates_.clear();
+    for (std::size_t a = 0; a < surfaces_.size(); ++a)
+      for (std::size_t b = 0; b < surfaces_.size(); ++b)
+        if (a != b) find_candidates(a, b);
+  }
   meetings_.clear();
   outward_.resize(surfaces_.size());
   for (std::size_t a = 0; a < surfaces_.size(); ++a) update_outward(a);
-  for (std::size_t a = 0; a < surfaces_.size(); ++a)
-    for (std::size_t b = 0; b < surfaces_.size(); ++b)
-      if (a != b) meet(a, b);
+  for (const Candidates& candidates : candidates_) meet(candidates);
 }
 
 template <int D>

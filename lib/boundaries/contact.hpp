@@ -54,8 +54,16 @@ class Contact {
     std::array<double, BodyFacet<D>{}.size()> weight;
   };
 
+  /// Of every particle of one surface, the facets of another that it may meet: facets[end[p]] to facets[end[p + 1]].
+  struct Candidates {
+    std::size_t points, surface;  // numbers of the two surfaces
+    std::vector<std::int32_t> end, facets;
+  };
+
   void find_meetings();
-  void meet(std::size_t points, std::size_t facets);
+  [[nodiscard]] bool moved_by_half_the_skin() const;
+  void find_candidates(std::size_t points, std::size_t facets);
+  void meet(const Candidates& candidates);
   void update_outward(std::size_t surface);
   [[nodiscard]] std::optional<Meeting> meeting_of(std::int32_t particle, const BodyFacet<D>& facet) const;
   [[nodiscard]] Closest closest_on(const BodyFacet<D>& facet, const Vec<D>& place) const;
@@ -67,7 +75,10 @@ class Contact {
   std::vector<std::vector<Vec<D>>> outward_;  // by surface and its particles: sum of the normals of the facets around
   VectorView<D> position_, velocity_;
   std::span<const double> mass_;
-  double reach_, side_tolerance_;  // m
+  double reach_, skin_, side_tolerance_;  // m
+  // Searched for again when a particle has moved by half the skin. What is met does not depend on when that was.
+  std::vector<Candidates> candidates_;
+  std::vector<Vec<D>> searched_;  // m: positions at the last search, surface by surface
   std::vector<Meeting> meetings_;
 };
 

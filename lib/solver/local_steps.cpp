@@ -16,18 +16,10 @@ constexpr int highest_level = 5;  // 32 shortest steps
 /// Whether a step of this level begins with the part, or ends before it.
 bool meets(int part, int level) { return part % (1 << level) == 0; }
 
-template <class Chosen>
-LocalSteps::Tiles tiles_where(const LocalSteps::Tiles& all, Chosen&& chosen) {
-  LocalSteps::Tiles found;
-  for (const std::int32_t tile : all)
-    if (chosen(static_cast<std::size_t>(tile))) found.push_back(tile);
-  return found;
-}
-
 }  // namespace
 
 auto LocalSteps::around(const Tiles& tiles) const -> Tiles {
-  Tiles found;
+  Tiles found(&memory);
   for (const std::int32_t tile : tiles) {
     const Tiles& nearby = near[static_cast<std::size_t>(tile)];
     found.insert(found.end(), nearby.begin(), nearby.end());
@@ -37,23 +29,22 @@ auto LocalSteps::around(const Tiles& tiles) const -> Tiles {
   return found;
 }
 
-std::vector<int> LocalSteps::least_around(const std::vector<int>& level) const {
-  std::vector<int> least = level;
+void LocalSteps::least_around(const std::vector<int>& level, std::vector<int>& least) const {
+  least = level;
   for (std::size_t t = 0; t < level.size(); ++t)
     for (const std::int32_t beside : near[t]) least[t] = std::min(least[t], level[static_cast<std::size_t>(beside)]);
-  return least;
 }
 
-void LocalSteps::classify(const std::vector<double>& limit, double shortest, int greatest) {
-  std::vector<int> level;
+void LocalSteps::classify(double shortest, int greatest) {
+  allowed_.clear();
   for (const double own : limit) {
     int allowed = 0;
     while (allowed < greatest && shortest * (2 << allowed) <= own) ++allowed;
-    level.push_back(allowed);
+    allowed_.push_back(allowed);
   }
-  edge_level = least_around(level);
-  strain_level = least_around(edge_level);
-  move_level = least_around(strain_level);
+  least_around(allowed_, edge_level);
+  least_around(edge_level, strain_level);
+  least_around(strain_level, move_level);
   highest = *std::max_element(edge_level.begin(), edge_level.end());
 }
 
@@ -89,12 +80,12 @@ void Solver<D>::find_near_tiles() {
 template <int D>
 void Solver<D>::advance_locally(double latest) {
   LocalSteps& steps = *local_steps_;
-  std::vector<double> limit;
-  for (const auto& report : reports_) limit.push_back(report.step_limit);
+  steps.limit.clear();
+  for (const auto& report : reports_) steps.limit.push_back(report.step_limit);
   const double left = latest - time_;
   int level = highest_level;
   while (level > 0 && left < step_limit_ * (1 << level)) --level;
-  steps.classify(limit, step_limit_, level);
+  steps.classify(step_limit_, level);
   level = steps.highest;
   // The last two steps before `latest` are equal, so that none is a mere splinter.
   double long_step = step_limit_ * (1 << level);
@@ -126,8 +117,7 @@ void Solver<D>::give_impulses(int part, double shortest) {
   LocalSteps& steps = *local_steps_;
   // Stresses that act now, and those whose impulses of the part before must go.
   const auto changed = [&](const std::vector<int>& level) {
-    return tiles_where(steps.all,
-                       [&](std::size_t t) { return meets(part, level[t]) || (part > 0 && meets(part - 1, level[t])); });
+    return steps.where([&](std::size_t t) { return meets(part, level[t]) || (part > 0 && meets(part - 1, level[t])); });
   };
   const auto span_of = [&](std::size_t t, const std::vector<int>& level, std::vector<double>& last) {
     if (!meets(part, level[t])) return 0.0;
@@ -150,7 +140,7 @@ void Solver<D>::give_impulses(int part, double shortest) {
     recipe_.nominal_momentum->pack_impulses(tile.range, span_of(t, steps.strain_level, steps.particle_step), records_);
   });
   fill_image_states();
-  const auto pushed = tiles_where(steps.all, [&](std::size_t t) { return meets(part, steps.move_level[t]); });
+  const auto pushed = steps.where([&](std::size_t t) { return meets(part, steps.move_level[t]); });
   for_each_tile_of(pushed, [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
     accelerate_tile(tile, scratch, 1.0, report);  // sums over impulses are changes of velocity
   });
@@ -163,7 +153,7 @@ void Solver<D>::give_impulses(int part, double shortest) {
 template <int D>
 void Solver<D>::move_locally(int part, double shortest) {
   LocalSteps& steps = *local_steps_;
-  const auto moved = tiles_where(steps.all, [&](std::size_t t) { return meets(part, steps.move_level[t]); });
+  const auto moved = steps.where([&](std::size_t t) { return meets(part, steps.move_level[t]); });
   for_each_tile_of(moved, [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
     const int own = steps.move_level[tile_index(tile)];
     for (int level = own + 1; level <= steps.highest && meets(part, level); ++level)
@@ -187,14 +177,14 @@ void Solver<D>::move_locally(int part, double shortest) {
 template <int D>
 void Solver<D>::strain_locally(int part, double shortest) {
   const LocalSteps& steps = *local_steps_;
-  LocalSteps::Tiles shown;
+  LocalSteps::Tiles shown(&steps.memory);
   for (int level = 0; level <= steps.highest && meets(part + 1, level); ++level) {
     const double time_step = shortest * (1 << level);
-    const auto strained = tiles_where(steps.all, [&](std::size_t t) { return steps.strain_level[t] == level; });
-    const auto edges = tiles_where(steps.all, [&](std::size_t t) { return steps.edge_level[t] == level; });
+    const auto strained = steps.where([&](std::size_t t) { return steps.strain_level[t] == level; });
+    const auto edges = steps.where([&](std::size_t t) { return steps.edge_level[t] == level; });
     if (strained.empty() && edges.empty()) continue;
     const auto averaged =
-        tiles_where(steps.around(strained), [&](std::size_t t) { return steps.move_level[t] < level; });
+        steps.those_of(steps.around(strained), [&](std::size_t t) { return steps.move_level[t] < level; });
     shown.insert(shown.end(), averaged.begin(), averaged.end());
     const auto& start = steps.start[static_cast<std::size_t>(level)];
     for_each_tile_of(averaged, [&](const Tile& tile, Scratch&, TileReport<D>&) {
@@ -210,7 +200,7 @@ void Solver<D>::strain_locally(int part, double shortest) {
 }
 
 template <int D>
-void Solver<D>::strain_tiles(const std::vector<std::int32_t>& particles, const std::vector<std::int32_t>& edges,
+void Solver<D>::strain_tiles(std::span<const std::int32_t> particles, std::span<const std::int32_t> edges,
                              double time_step) {
   recipe_.images.fill_motion(records_, records_.first_image());
   for_each_tile_of(particles, [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {

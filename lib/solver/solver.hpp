@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -124,8 +125,7 @@ class Solver final : public Simulation {
   void give_impulses(int part, double shortest);
   void move_locally(int part, double shortest);
   void strain_locally(int part, double shortest);
-  void strain_tiles(const std::vector<std::int32_t>& particles, const std::vector<std::int32_t>& edges,
-                    double time_step);
+  void strain_tiles(std::span<const std::int32_t> particles, std::span<const std::int32_t> edges, double time_step);
 
   void accelerate_tile(const Tile& tile, Scratch& scratch, double kick, TileReport<D>& report);
   void filter_tile(const Tile& tile, const VelocityFilter<D>& filter, Scratch& scratch, double time_step,
@@ -151,7 +151,7 @@ class Solver final : public Simulation {
   template <class Work>
   void for_each_tile(Work&& work);
   template <class Work>
-  void for_each_tile_of(const std::vector<std::int32_t>& tiles, Work&& work);
+  void for_each_tile_of(std::span<const std::int32_t> tiles, Work&& work);
   [[nodiscard]] std::size_t tile_index(const Tile& tile) const {
     return static_cast<std::size_t>(&tile - tiles_.data());
   }

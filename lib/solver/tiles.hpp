@@ -30,7 +30,7 @@ void Solver<D>::for_each_tile(Work&& work) {
 /// The same for some of them, by their numbers.
 template <int D>
 template <class Work>
-void Solver<D>::for_each_tile_of(const std::vector<std::int32_t>& tiles, Work&& work) {
+void Solver<D>::for_each_tile_of(std::span<const std::int32_t> tiles, Work&& work) {
   for_each_parallel(
       static_cast<int>(tiles.size()),
       [&](int item, int thread) {

@@ -26,6 +26,7 @@ constexpr std::array<OutcomeRow, outcome_count> outcomes = {{{"stable", {0, 158,
                                                              {"penetration", {0, 114, 178}},
                                                              {"step collapse", {213, 94, 0}},
                                                              {"not a number", {40, 40, 40}},
+                                                             {"turned inside out", {110, 64, 150}},
                                                              {"refused", {200, 200, 200}}}};
 
 /// A number, or the length of a vector such as [0.0, 0.0, -227.0].
@@ -64,6 +65,7 @@ Outcome outcome_of_failure(const std::string& reason) {
   if (!reason.starts_with("step ")) return Outcome::refused;  // no guard: what is measured cannot be had
   if (says("beyond the boundary")) return Outcome::penetration;
   if (says("minimum_step_fraction")) return Outcome::step_collapse;
+  if (says("inside out")) return Outcome::inversion;
   return Outcome::not_a_number;
 }
 
@@ -92,13 +94,37 @@ std::optional<PlottedCurve> analytic_curve(const RunTable& table) {
   return curve;
 }
 
+std::vector<double> numbers_of(const StudyAxis& axis) {
+  std::vector<double> values;
+  for (const auto& text : axis.values) values.push_back(*number_in(text));
+  return values;
+}
+
+/// Where an axis begins and its step: those of its values where they are evenly spaced, else of their numbers.
+struct EvenAxis {
+  double begin = 0.0, step = 1.0;
+  bool even = false;
+};
+EvenAxis even_axis(const std::vector<double>& values) {
+  constexpr double same = 1e-6;
+  if (values.size() < 2) return {values[0], 1.0, true};
+  const double step = values[1] - values[0];
+  for (std::size_t k = 1; k < values.size(); ++k)
+    if (std::abs(values[k] - values[k - 1] - step) > same * std::abs(step) || step <= 0.0) return {};
+  return {values[0], step, true};
+}
+
+/// Logarithmic where the values are positive and not evenly spaced, with some room at both ends.
 Axis axis_for(const StudyAxis& axis) {
-  double least = *number_in(axis.values.front()), greatest = least;
-  for (const auto& text : axis.values) {
-    least = std::min(least, *number_in(text));
-    greatest = std::max(greatest, *number_in(text));
+  const std::vector<double> values = numbers_of(axis);
+  const auto [least, greatest] = std::ranges::minmax(values);
+  const bool logarithmic = least > 0.0 && !even_axis(values).even;
+  const double share = 0.6 / std::max<double>(1.0, static_cast<double>(values.size()) - 1.0);
+  if (logarithmic) {
+    const double margin = std::pow(greatest / least, share);
+    return {.label = short_name(axis.key), .logarithmic = true, .range = {{least / margin, greatest * margin}}};
   }
-  const double margin = 0.6 * (greatest - least) / std::max<double>(1.0, static_cast<double>(axis.values.size()) - 1.0);
+  const double margin = share * (greatest - least);
   return {.label = short_name(axis.key), .logarithmic = false, .range = {{least - margin, greatest + margin}}};
 }
 
@@ -121,21 +147,6 @@ Panel stability_panel(const RunTable& table) {
   }
   if (auto curve = analytic_curve(table)) panel.curves.push_back(std::move(*curve));
   return panel;
-}
-
-/// Where an axis begins and its step: those of its values where they are evenly spaced, else of their numbers.
-struct EvenAxis {
-  double begin = 0.0, step = 1.0;
-};
-EvenAxis even_axis(const StudyAxis& axis) {
-  constexpr double same = 1e-6;
-  std::vector<double> values;
-  for (const auto& text : axis.values) values.push_back(*number_in(text));
-  if (values.size() < 2) return {values[0], 1.0};
-  const double step = values[1] - values[0];
-  for (std::size_t k = 1; k < values.size(); ++k)
-    if (std::abs(values[k] - values[k - 1] - step) > same * std::abs(step) || step <= 0.0) return {};
-  return {values[0], step};
 }
 
 /// The outcome of one run of a grid with a value of its last axis that the grid does not have.
@@ -246,7 +257,7 @@ std::optional<StabilityMap> stability_map(const StudyDescription& study, const s
   const RunTable table(study, runs, grid);
   const auto& axes = table.grid().axes;
   if (!is_numeric(axes[0]) || !is_numeric(axes[1])) return std::nullopt;
-  const EvenAxis across = even_axis(axes[1]), up = even_axis(axes[0]);
+  const EvenAxis across = even_axis(numbers_of(axes[1])), up = even_axis(numbers_of(axes[0]));
   StabilityMap map;
   map.grid.origin = {across.begin, up.begin, 0.0};
   map.grid.step = {across.step, up.step};

@@ -21,9 +21,10 @@ enum class Outcome {
   penetration,    // a particle beyond a wall
   step_collapse,  // time.minimum_step_fraction
   not_a_number,   // position, density, pressure without meaning
+  inversion,      // an edge between total Lagrangian particles turned inside out
   refused         // not run, or not to be measured
 };
-constexpr int outcome_count = 8;
+constexpr int outcome_count = 9;
 
 std::string_view outcome_name(Outcome outcome);
 /// By the reason of a run that a guard stopped, else by its measures at the last time, as far as the grid has them.

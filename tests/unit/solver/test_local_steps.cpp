@@ -7,22 +7,24 @@ namespace anvil {
 namespace {
 
 /// Tiles in a row, each near the ones beside it.
-LocalSteps row_of(std::int32_t count) {
-  LocalSteps steps;
-  for (std::int32_t tile = 0; tile < count; ++tile) {
-    steps.all.push_back(tile);
-    steps.near.emplace_back();
-    for (const std::int32_t beside : {tile - 1, tile, tile + 1})
-      if (beside >= 0 && beside < count) steps.near.back().push_back(beside);
+struct Row : LocalSteps {
+  explicit Row(const std::vector<double>& limits) {
+    limit = limits;
+    const auto count = static_cast<std::int32_t>(limits.size());
+    for (std::int32_t tile = 0; tile < count; ++tile) {
+      all.push_back(tile);
+      near.emplace_back();
+      for (const std::int32_t beside : {tile - 1, tile, tile + 1})
+        if (beside >= 0 && beside < count) near.back().push_back(beside);
+    }
   }
-  return steps;
-}
+};
 
 TEST(LocalSteps, GrowWithTheDistanceFromASqueezedTile) {
-  LocalSteps steps = row_of(9);
   std::vector<double> limit(9, 1.0);
   limit[0] = 0.1;
-  steps.classify(limit, 0.1, 2);  // 0.4 is the longest step then
+  Row steps(limit);
+  steps.classify(0.1, 2);  // 0.4 is the longest step then
   EXPECT_EQ(steps.edge_level, (std::vector<int>{0, 0, 2, 2, 2, 2, 2, 2, 2}));
   EXPECT_EQ(steps.strain_level, (std::vector<int>{0, 0, 0, 2, 2, 2, 2, 2, 2}));
   EXPECT_EQ(steps.move_level, (std::vector<int>{0, 0, 0, 0, 2, 2, 2, 2, 2}));
@@ -30,10 +32,10 @@ TEST(LocalSteps, GrowWithTheDistanceFromASqueezedTile) {
 }
 
 TEST(LocalSteps, AreNoLongerThanATileAllows) {
-  LocalSteps steps = row_of(12);
   std::vector<double> limit;
   for (int tile = 0; tile < 12; ++tile) limit.push_back(0.1 * (tile + 1));
-  steps.classify(limit, 0.1, 5);
+  Row steps(limit);
+  steps.classify(0.1, 5);
   for (std::size_t t = 0; t < limit.size(); ++t) {
     EXPECT_LE(0.1 * (1 << steps.edge_level[t]), limit[t] * (1.0 + 1e-12)) << t;
     EXPECT_LE(steps.strain_level[t], steps.edge_level[t]);
@@ -43,8 +45,8 @@ TEST(LocalSteps, AreNoLongerThanATileAllows) {
 }
 
 TEST(LocalSteps, AreEqualWhereNothingIsSqueezed) {
-  LocalSteps steps = row_of(4);
-  steps.classify({1.0, 1.0, 1.1, 1.9}, 1.0, 5);
+  Row steps({1.0, 1.0, 1.1, 1.9});
+  steps.classify(1.0, 5);
   EXPECT_EQ(steps.highest, 0);
 }
 

@@ -60,6 +60,14 @@ TEST(StabilityMap, FindsTheLimitOfLinearTheory) {
   EXPECT_EQ(figures[0].figure.panels[0].curves.back().label, "von Neumann limit");
 }
 
+TEST(StabilityFigures, TakeALogarithmicAxisForUnevenValues) {
+  StudyDescription study = plate_study();
+  const auto x_axis = [&] { return stability_figures(study, prepare_study(study, {})).at(0).figure.panels.at(0).x; };
+  EXPECT_TRUE(x_axis().logarithmic);
+  study.grids[0].axes[1].values = {"0.3", "0.9", "1.5"};
+  EXPECT_FALSE(x_axis().logarithmic);
+}
+
 TEST(StabilityOutcomes, FollowFromGuardsAndMeasures) {
   const StudyGrid grid = plate_study().grids[0];
   StudyRun run;
@@ -82,6 +90,11 @@ TEST(StabilityOutcomes, FollowFromGuardsAndMeasures) {
   EXPECT_EQ(outcome_of(grid, run), Outcome::step_collapse);
   run.reason = "step 9 at 1e-6 s: particle 1: position or velocity is not a number";
   EXPECT_EQ(outcome_of(grid, run), Outcome::not_a_number);
+  run.reason =
+      "step 9 at 1e-6 s: particle 1: an edge at it has turned inside out: the body is deformed further than its "
+      "lattice "
+      "can follow";
+  EXPECT_EQ(outcome_of(grid, run), Outcome::inversion);
   run.reason = "there is no exact solution of this scene";
   EXPECT_EQ(outcome_of(grid, run), Outcome::refused);
 }
