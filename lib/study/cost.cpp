@@ -55,7 +55,7 @@ std::vector<bool> front_of(const std::vector<CostPoint>& points, Pick cost, std:
   std::vector<double> costs, errors;
   for (const auto& point : points) {
     costs.push_back(cost(point));
-    errors.push_back(point.errors[measure]);
+    errors.push_back(point.kept_errors[measure]);
   }
   return pareto_front(costs, errors);
 }
@@ -66,7 +66,10 @@ StudyTable point_table(const StudyDescription& study, const std::vector<StudyRun
                        const std::vector<CostPoint>& points) {
   const auto& measures = study.grids.front().measures;
   StudyTable table;
-  table.title = "accuracy and cost; nothing is both cheaper and better than what has a *";
+  table.title =
+      "accuracy and cost; nothing is both cheaper and better than what has a * (an error counts for no less than those "
+      "of "
+      "finer runs)";
   table.rows = {{"settings", short_name(study.grids.front().axes.back().key), "particles", "neighbours", "steps",
                  "particle-steps", "CPU s"}};
   table.alignment = "llrrrrr" + std::string(measures.size(), 'l');
@@ -97,14 +100,14 @@ StudyTable cheapest_table(const StudyDescription& study, const std::vector<CostP
   for (const double level : levels) {
     const CostPoint* best = nullptr;
     for (const auto& point : points)
-      if (point.errors[measure] <= level && (best == nullptr || point.seconds < best->seconds)) best = &point;
+      if (point.kept_errors[measure] <= level && (best == nullptr || point.seconds < best->seconds)) best = &point;
     if (best == nullptr) {
       table.rows.push_back({fmt::format("{:g} %", 100.0 * level), "none of these", "-", "-", "-", "-"});
       break;
     }
     table.rows.push_back({fmt::format("{:g} %", 100.0 * level), best->curve, best->name,
-                          fmt::format("{:.3g} %", 100.0 * best->errors[measure]), fmt::format("{:.3g}", best->seconds),
-                          fmt::format("{:.3g}", best->particle_steps)});
+                          fmt::format("{:.3g} %", 100.0 * best->kept_errors[measure]),
+                          fmt::format("{:.3g}", best->seconds), fmt::format("{:.3g}", best->particle_steps)});
   }
   return table;
 }
@@ -168,7 +171,7 @@ void add_front(Panel& panel, const std::vector<CostPoint>& points, Pick cost, st
   PlottedCurve curve{.label = "Pareto front", .style = CurveStyle::reference, .color = {}, .x = {}, .y = {}};
   for (const auto* point : best) {
     curve.x.push_back(cost(*point));
-    curve.y.push_back(point->errors[measure]);
+    curve.y.push_back(point->kept_errors[measure]);
     curve.point_labels.push_back(point->name);
   }
   panel.curves.push_back(std::move(curve));
@@ -216,9 +219,14 @@ std::vector<CostPoint> cost_points(const StudyDescription& study, const std::vec
     if (run.status != StudyStatus::finished || run.rows.empty()) continue;
     const StudyGrid& grid = study.grids[run.grid];
     if (auto errors = mean_errors(grid, run))
-      points.push_back({k, curve_name(study, run), point_name(grid, run), std::move(*errors), run.cpu_seconds,
+      points.push_back({k, curve_name(study, run), point_name(grid, run), *errors, *errors, run.cpu_seconds,
                         static_cast<double>(run.particles) * static_cast<double>(run.steps)});
   }
+  for (auto& point : points)
+    for (const auto& dearer : points)
+      if (dearer.curve == point.curve && dearer.particle_steps > point.particle_steps)
+        for (std::size_t m = 0; m < point.errors.size(); ++m)
+          point.kept_errors[m] = std::max(point.kept_errors[m], dearer.errors[m]);
   return points;
 }
 

@@ -16,7 +16,10 @@ struct CostPoint {
   std::string curve;           // its settings but for the last axis
   std::string name;            // the value of the last axis, a spacing in millimetres
   std::vector<double> errors;  // one per measure: the mean of its absolute value over the times
-  double seconds;              // CPU time of the steps on one thread
+  // The same, and no less than what dearer runs of the curve have: an error that changes sign passes through zero once,
+  // which is luck. Fronts and choices go by it.
+  std::vector<double> kept_errors;
+  double seconds;  // CPU time of the steps on one thread
   double particle_steps;
 };
 

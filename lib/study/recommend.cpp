@@ -108,7 +108,7 @@ Near near_to(const Scene& asked, const Wish& wish, const std::vector<StudyRecord
       found.nearness = here;
       for (const auto& point : found.points[r])
         if (record.runs[point.run].grid == grid)
-          found.candidates.push_back({&record, grid, &point, point.errors[measure], point.seconds});
+          found.candidates.push_back({&record, grid, &point, point.kept_errors[measure], point.seconds});
     }
   }
   return found;

@@ -90,6 +90,18 @@ TEST_F(CostStudy, NamesTheCheapestForAnError) {
   EXPECT_EQ(cheapest[5][1], "none of these");         // 1 %
 }
 
+TEST_F(CostStudy, DoesNotTakeAChangeOfSignForAccuracy) {
+  auto runs = run();
+  const double errors[] = {0.001, 0.04, 0.06, 0.03};
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    for (auto& row : runs[k].rows) row.values = {errors[k]};
+  const auto points = cost_points(study_, runs);
+  EXPECT_EQ(points[0].errors[0], 0.001);
+  EXPECT_EQ(points[0].kept_errors[0], 0.04);
+  EXPECT_EQ(points[1].kept_errors[0], 0.04);
+  EXPECT_EQ(points[2].kept_errors[0], 0.06);  // the last one of another curve does not matter
+}
+
 TEST_F(CostStudy, DrawsTheFrontWithItsPointsNamed) {
   const auto figures = study_figures(study_, run());
   ASSERT_EQ(figures.size(), 2U);
