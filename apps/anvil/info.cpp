@@ -27,7 +27,7 @@ void print_run(const Provenance& run) {
   rows.push_back({"steps", std::to_string(run.steps)});
   rows.push_back({"time", fmt::format("{} s", run.time)});
   if (run.first_step > 0) rows.push_back({"restarted at step", std::to_string(run.first_step)});
-  rows.push_back({"wall time", fmt::format("{:.3f} s", run.wall_time)});
+  rows.push_back({"wall time", fmt::format("{:.3f} s, {:.3f} s of it in steps", run.wall_time, run.step_time)});
   rows.push_back({"particle-steps per second", fmt::format("{:.4g}", run.particle_steps_per_second)});
   print_table(rows, "ll");
   fmt::print("\n{}", run.scene_text);

@@ -40,6 +40,7 @@ void for_each_entry(ProvenanceType& provenance, Visitor&& visit) {
   visit("time", provenance.time);
   visit("first_step", provenance.first_step);
   visit("wall_time", provenance.wall_time);
+  visit("step_time", provenance.step_time);
   visit("particle_steps_per_second", provenance.particle_steps_per_second);
   visit("scene_text", provenance.scene_text);
 }

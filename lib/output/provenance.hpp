@@ -26,6 +26,7 @@ struct Provenance {
   double time = 0.0;            // s, reached
   std::int64_t first_step = 0;  // where this start began: 0, or the step of the checkpoint
   double wall_time = 0.0;       // s, of this start
+  double step_time = 0.0;       // s, the part of it in steps: the rest is placing particles and writing
   double particle_steps_per_second = 0.0;
 };
 

@@ -109,7 +109,9 @@ class RunLoop {
   void advance() {
     const double before = simulation_.time();
     const double target = next_frame_time(before);
+    const double start = wall_seconds();
     simulation_.advance(target);
+    provenance_.step_time += wall_seconds() - start;
     const bool frame_due = reached(target);
     if (frame_due) write_frame();
     if (frame_due || entered_next(before, scene_.time.end / history_parts)) write_row();

@@ -25,6 +25,7 @@ TEST(Provenance, ReadsBackWhatWasWritten) {
   written.steps = 12345678901;
   written.time = 0.1 + 0.2;
   written.wall_time = 1.0 / 3.0;
+  written.step_time = 0.25;
   write_provenance(folder / "run.json", written);
   const Provenance read = read_provenance(folder / "run.json");
   EXPECT_EQ(read.title, written.title);
@@ -42,6 +43,7 @@ TEST(Provenance, ReadsBackWhatWasWritten) {
   EXPECT_EQ(read.steps, written.steps);
   EXPECT_EQ(read.time, written.time);
   EXPECT_EQ(read.wall_time, written.wall_time);
+  EXPECT_EQ(read.step_time, written.step_time);
 }
 
 TEST(Provenance, KnowsItsProgram) {
