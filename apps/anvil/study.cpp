@@ -15,6 +15,7 @@
 #include "anvil/figures/drawing.hpp"
 #include "anvil/output/atomic_file.hpp"
 #include "anvil/output/provenance.hpp"
+#include "anvil/study/finest.hpp"
 #include "anvil/study/journal.hpp"
 #include "anvil/study/record.hpp"
 #include "anvil/study/report.hpp"
@@ -184,6 +185,7 @@ int execute_study(const Arguments& arguments) {
   };
   run_study(study, runs, threads, show, [&](const StudyRun& run) { journal.append(study, run); });
   period.ended = utc_now();
+  compare_with_finest(study, runs);
   const auto files = write_results(study, runs, period, folder);
   if (quiet) return 0;
   print_report(study, runs);

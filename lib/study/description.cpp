@@ -85,6 +85,9 @@ class StudyReader {
                      .value_or(grid.bound);
     grid.refine = read_as<double>({.name = "refine", .kind = ValueKind::number, .range = Range::positive}, table, path)
                       .value_or(grid.refine);
+    grid.against_finest =
+        read_as<std::string>({.name = "against", .kind = ValueKind::choice, .choices = {"reference", "finest"}}, table,
+                             path) == "finest";
     grid.measures = read_texts(table, "measures", path);
     if (grid.measures.empty()) add_problem(table, fmt::format("'{}' lacks the key 'measures'", path));
     for (const auto& measure : grid.measures) check_measure(table, measure, path);
@@ -95,7 +98,10 @@ class StudyReader {
       grid.references.push_back(read_reference_table(reference, reference_path));
       if (grid.axes.empty()) add_problem(reference, fmt::format("'{}' needs an axis to run along", reference_path));
     });
-    check_known(table, {"title", "scene", "set", "times", "measures", "axis", "reference", "bound", "refine"}, path);
+    if (grid.against_finest && grid.axes.empty())
+      add_problem(table, fmt::format("'{}' needs an axis, along which a run is the finest", path));
+    check_known(
+        table, {"title", "scene", "set", "times", "measures", "axis", "reference", "against", "bound", "refine"}, path);
     return grid;
   }
 

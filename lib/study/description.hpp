@@ -36,7 +36,8 @@ struct StudyGrid {
   std::vector<std::string> measures;
   std::vector<StudyAxis> axes;
   std::vector<StudyReference> references;
-  double bound = 0.1;   // stability: the first measure beyond it is inaccurate
+  bool against_finest = false;  // measures are deviations from the run with the finest value of the last axis
+  double bound = 0.1;           // stability: the first measure beyond it is inaccurate
   double refine = 0.0;  // stability: relative width to which the limit along the last axis is bisected; 0: it is not
 
   [[nodiscard]] std::size_t run_count() const;

@@ -69,6 +69,7 @@ TEST_F(StudyFile, SaysWhatIsRun) {
   EXPECT_EQ(grid.times, (std::vector<double>{1e-6, 2e-6}));
   EXPECT_EQ(grid.set, (std::vector<std::string>{"time.cfl=0.2"}));
   EXPECT_EQ(grid.run_count(), 6U);
+  EXPECT_FALSE(grid.against_finest);
 }
 
 TEST_F(StudyFile, ChangesTheLastAxisFastest) {
@@ -126,6 +127,8 @@ TEST_F(StudyFile, NeedsAGridAndWhatItsReportShows) {
   EXPECT_EQ(message_of(bare), "");
   EXPECT_NE(message_of("report = \"orders\"\n" + bare).find("needs an axis"), std::string::npos);
   EXPECT_NE(message_of("report = \"speeds\"\n" + bare).find("lattice_factor"), std::string::npos);
+  EXPECT_NE(message_of(bare + "against = \"finest\"\n").find("needs an axis"), std::string::npos);
+  EXPECT_NE(message_of(bare + "against = \"worst\"\n").find("finest"), std::string::npos);
   EXPECT_NE(message_of("report = \"poem\"\n" + bare).find("orders"), std::string::npos);
 }
 
