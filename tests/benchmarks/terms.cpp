@@ -24,7 +24,18 @@ struct Comparison {
   Overrides without, with;
 };
 
-/// A block under a linear velocity would stop being one; plates and rods that meet keep all terms at work.
+constexpr const char* materials = R"(
+[material.one]
+density = 8930
+eos = { type = "linear", bulk_modulus = 130e9 }
+strength = { type = "j2", shear_modulus = 43e9, yield_stress = 400e6, hardening_modulus = 100e6 }
+[material.two]
+density = 2700
+eos = { type = "linear", bulk_modulus = 76e9 }
+strength = { type = "j2", shear_modulus = 26e9, yield_stress = 300e6, hardening_modulus = 100e6 }
+)";
+
+/// A line and a block in two halves that meet: bodies under a linear velocity would come to rest or apart.
 constexpr const char* line = R"(
 domain = { dimension = 1 }
 discretisation = { spacing = 10e-6 }
@@ -38,14 +49,6 @@ velocity = [100]
 name = "right"
 shape = { type = "interval", min = 0, max = 32e-3 }
 material = "one"
-[material.one]
-density = 8930
-eos = { type = "linear", bulk_modulus = 130e9 }
-strength = { type = "j2", shear_modulus = 43e9, yield_stress = 400e6, hardening_modulus = 100e6 }
-[material.two]
-density = 2700
-eos = { type = "linear", bulk_modulus = 76e9 }
-strength = { type = "j2", shear_modulus = 26e9, yield_stress = 300e6, hardening_modulus = 100e6 }
 )";
 
 constexpr const char* block = R"(
@@ -61,14 +64,6 @@ velocity = [100, 0, 0]
 name = "right"
 shape = { type = "box", min = [0, 0, 0], max = [20e-3, 16e-3, 16e-3] }
 material = "one"
-[material.one]
-density = 8930
-eos = { type = "linear", bulk_modulus = 130e9 }
-strength = { type = "j2", shear_modulus = 43e9, yield_stress = 400e6, hardening_modulus = 100e6 }
-[material.two]
-density = 2700
-eos = { type = "linear", bulk_modulus = 76e9 }
-strength = { type = "j2", shear_modulus = 26e9, yield_stress = 300e6, hardening_modulus = 100e6 }
 )";
 
 const Overrides viscosity = {"shock.method=artificial_viscosity"};
@@ -110,7 +105,7 @@ double step_for(Simulation& simulation, int steps) {
 }
 
 std::unique_ptr<Simulation> simulation_of(const char* scene, const Overrides& overrides) {
-  return make_simulation(read_scene_text(scene, "costs", overrides));
+  return make_simulation(read_scene_text(std::string(scene) + materials, "costs", overrides));
 }
 
 void print_costs(const char* heading, const char* scene, bool in_line, int steps, int rounds) {
