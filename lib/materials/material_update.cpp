@@ -60,7 +60,7 @@ class StrengthAtWork final : public StrengthUpdate<D> {
         StrainState::store(deviator, deviator_ + components * i);
         if constexpr (Law::has_plastic_strain) plastic_strain_[i] = history.plastic_strain;
         if (back_stress_ != nullptr) StrainState::store(history.back_stress, back_stress_ + components * i);
-        work += step.plastic_work * mass_[i] / density_[i];
+        if (step.plastic_work != 0.0) work += step.plastic_work * mass_[i] / density_[i];
       }
     }
     return work;

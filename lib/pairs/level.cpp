@@ -4,6 +4,7 @@
 #include "anvil/pairs/collect_loop.hpp"
 #include "anvil/pairs/correction_loop.hpp"
 #include "anvil/pairs/gradient_loop.hpp"
+#include "anvil/pairs/line_loop.hpp"
 #include "anvil/pairs/pair_loops.hpp"
 #include "anvil/terms/density_diffusion_loop.hpp"
 #include "anvil/terms/hllc_loop.hpp"
@@ -17,12 +18,22 @@
 namespace anvil::ANVIL_SIMD_LEVEL {
 namespace {
 
+template <int D, class SomeKernel>
+constexpr typename PairLoops<D>::KernelLoops loops_of() {
+  typename PairLoops<D>::KernelLoops loops{.gradients = &fill_pairs<D, SomeKernel, true, false>,
+                                           .values = &fill_pairs<D, SomeKernel, false, true>,
+                                           .both = &fill_pairs<D, SomeKernel, true, true>};
+  if constexpr (D == 1) {
+    loops.corrected_gradients = &fill_corrected_line<SomeKernel>;
+    loops.corrected_velocity_gradient = &sum_line_velocity_gradient<SomeKernel>;
+  }
+  return loops;
+}
+
 template <int D, std::size_t... Index>
 constexpr auto kernel_loops(std::index_sequence<Index...>) {
   return std::array<typename PairLoops<D>::KernelLoops, sizeof...(Index)>{
-      {{&fill_pairs<D, std::variant_alternative_t<Index, Kernel>, true, false>,
-        &fill_pairs<D, std::variant_alternative_t<Index, Kernel>, false, true>,
-        &fill_pairs<D, std::variant_alternative_t<Index, Kernel>, true, true>}...}};
+      loops_of<D, std::variant_alternative_t<Index, Kernel>>()...};
 }
 
 template <int D>

@@ -28,6 +28,10 @@ struct PairLoops {
   using Fill = void (*)(const PairTile<D>&, const PairRecords<D>&);
   struct KernelLoops {
     Fill gradients, values, both;
+    // Several passes in one, where there is such a loop: in one dimension. They return how many particles kept plain
+    // gradients.
+    int (*corrected_gradients)(const PairTile<D>&, const PairRecords<D>&) = nullptr;
+    int (*corrected_velocity_gradient)(const PairTile<D>&, const PairRecords<D>&, double* out) = nullptr;
   };
 
   int lanes;  // rows of the neighbour list are padded to a multiple of it

@@ -352,7 +352,7 @@ Section<OutputControl> output_section() {
           {{.name = "interval",
             .unit = "s",
             .range = Range::positive,
-            .help = "simulated time between frames",
+            .help = "simulated time between frames; compare.times have frames too",
             .optional = true,
             .derived = "a twentieth of time.end, 1 s when that is zero"},
            &OutputControl::interval},

@@ -51,7 +51,7 @@ void Solver<D>::account_loads() {
 template <int D>
 void Solver<D>::transport_velocities() {
   if constexpr (D == 1) {
-    for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) { pack_motion(tile.range); });
+    for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) { pack_velocities(tile.range); });
     recipe_.transport->filter_velocity({start_velocity_.raw(), particle_count()});
     for (std::size_t i = 0; i < particle_count(); ++i) {
       const double change = velocity_[i][0] - records_.motion[i][0];

@@ -63,6 +63,8 @@ class RunLoop {
     if (options.restart) {
       next_frame_ = options.restart->next_frame;
       last_frame_time_ = passed(first_time_, scene.output.interval) * scene.output.interval;
+      for (const double compared : scene.compare.times)
+        if (reached(compared)) last_frame_time_ = std::max(last_frame_time_, compared);
     }
     provenance_ = make_provenance();
     provenance_.title = scene.title;
@@ -123,9 +125,12 @@ class RunLoop {
 
   [[nodiscard]] double next_frame_time(double time) const {
     const double interval = scene_.output.interval;
-    const double next = (passed(time, interval) + 1.0) * interval;
+    double next = (passed(time, interval) + 1.0) * interval;
     // A multiple that is the end but for rounding would leave a step of no length.
-    return next > scene_.time.end - same_time * interval ? scene_.time.end : next;
+    if (next > scene_.time.end - same_time * interval) next = scene_.time.end;
+    for (const double compared : scene_.compare.times)  // the comparison wants a frame
+      if (!reached(compared) && compared < next - same_time * interval) next = compared;
+    return next;
   }
 
   [[nodiscard]] bool reached(double time) const {

@@ -130,13 +130,17 @@ PairTile<D> Solver<D>::open_tile(const Tile& tile, Scratch& scratch, PairNeeds n
   }
   pairs.value = scratch.value.data();
   const bool gradient = needs.gradient || needs.plain_gradient;
+  if (correct && !correction_.empty()) pairs.correction = &correction_[tile.range.first() * symmetric_components<D>];
+  if (correct && !needs.value && kernel_loops_.corrected_gradients != nullptr) {
+    pairs.uncorrected = kernel_loops_.corrected_gradients(pairs, records_);
+    return pairs;
+  }
   if (gradient && needs.value)
     kernel_loops_.both(pairs, records_);
   else if (gradient)
     kernel_loops_.gradients(pairs, records_);
   else if (needs.value)
     kernel_loops_.values(pairs, records_);
-  if (correct && !correction_.empty()) pairs.correction = &correction_[tile.range.first() * symmetric_components<D>];
   if (correct) pairs.uncorrected = loops_.correct_gradients(pairs, records_);
   return pairs;
 }
@@ -161,6 +165,21 @@ void Solver<D>::pack_geometry(ParticleRange range) {
     for (int a = 0; a < D; ++a) record[a] = position_[i][a];
     record[D] = smoothing_length_[i];
   }
+}
+
+/// What straining changes of both.
+template <int D>
+void Solver<D>::pack_sizes(ParticleRange range) {
+  for (std::size_t i = range.first(); i < range.last(); ++i) {
+    records_.geometry[i][D] = smoothing_length_[i];
+    records_.motion[i][D] = mass_[i] / density_[i];
+  }
+}
+
+template <int D>
+void Solver<D>::pack_velocities(ParticleRange range) {
+  for (std::size_t i = range.first(); i < range.last(); ++i)
+    for (int a = 0; a < D; ++a) records_.motion[i][a] = velocity_[i][a];
 }
 
 template <int D>
@@ -275,6 +294,8 @@ std::unique_ptr<Simulation> make_simulation(const Scene& scene) {
   template PairTile<D> Solver<D>::open_tile(const Tile&, Scratch&, PairNeeds) const; \
   template void Solver<D>::pack_geometry(ParticleRange);                             \
   template void Solver<D>::pack_motion(ParticleRange);                               \
+  template void Solver<D>::pack_sizes(ParticleRange);                                \
+  template void Solver<D>::pack_velocities(ParticleRange);                           \
   template void Solver<D>::freeze_pairs();                                           \
   template void Solver<D>::fill_image_places();                                      \
   template void Solver<D>::fill_image_states();                                      \

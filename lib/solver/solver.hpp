@@ -160,6 +160,8 @@ class Solver final : public Simulation {
   void size_scratch();
   void pack_geometry(ParticleRange range);
   void pack_motion(ParticleRange range);
+  void pack_sizes(ParticleRange range);
+  void pack_velocities(ParticleRange range);
   void list_neighbours();
   void freeze_pairs();
   void pack_start(ParticleRange range);

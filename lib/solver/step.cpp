@@ -54,10 +54,7 @@ double Solver<D>::choose_time_step(double latest) const {
 template <int D>
 void Solver<D>::accelerate(double kick) {
   if (!recipe_.deformation)
-    for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) {
-      pack_geometry(tile.range);
-      pack_motion(tile.range);
-    });
+    for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) { pack_sizes(tile.range); });
   kick_ = kick;
   if (!walls_.empty()) {
     move_walls(0.0);  // with the smoothing lengths of now: what a restart finds
@@ -113,7 +110,7 @@ template <int D>
 void Solver<D>::filter_velocities(double time_step) {
   for (const auto& filter : recipe_.filters) {
     // A filter reads the neighbours' velocities of before it: from the records, while it writes the fields.
-    for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) { pack_motion(tile.range); });
+    for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) { pack_velocities(tile.range); });
     fill_image_places();
     for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
       filter_tile(tile, *filter, scratch, time_step, report);
@@ -162,9 +159,8 @@ void Solver<D>::move(double time_step) {
     if (!recipe_.contact) keep_in_bounds(tile, scratch, report);
     move_tile(tile, time_step, report);
     if (!recipe_.gravity.isZero(0.0)) account_gravity(tile, report);
-    if (recipe_.deformation) return pack_motion(tile.range);
-    pack_geometry(tile.range);
-    pack_motion(tile.range);
+    pack_velocities(tile.range);
+    if (!recipe_.deformation) pack_geometry(tile.range);
   });
   for (const auto& report : reports_) {
     ledger_.wall_impulse += report.wall_impulse;
@@ -234,16 +230,19 @@ void Solver<D>::move_tile(const Tile& tile, double time_step, TileReport<D>& rep
 /// Since the neighbour list was made.
 template <int D>
 void Solver<D>::note_displacements(const Tile& tile, TileReport<D>& report) const {
-  report.least_displacement.setConstant(std::numeric_limits<double>::max());
-  report.greatest_displacement = -report.least_displacement;
-  report.greatest_growth = 0.0;
+  Vec<D> least = Vec<D>::Constant(std::numeric_limits<double>::max()), greatest = -least;
   for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
     const Vec<D> displacement = position_[i] - listed_position_[i];
-    report.least_displacement = report.least_displacement.cwiseMin(displacement);
-    report.greatest_displacement = report.greatest_displacement.cwiseMax(displacement);
-    if (smoothing_length_varies_)
-      report.greatest_growth = std::max(report.greatest_growth, smoothing_length_[i] - listed_smoothing_length_[i]);
+    least = least.cwiseMin(displacement);
+    greatest = greatest.cwiseMax(displacement);
   }
+  double growth = 0.0;
+  if (smoothing_length_varies_)
+    for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i)
+      growth = std::max(growth, smoothing_length_[i] - listed_smoothing_length_[i]);
+  report.least_displacement = least;
+  report.greatest_displacement = greatest;
+  report.greatest_growth = growth;
 }
 
 /// The list stays complete while no pair has come nearer by more than the skin. How far two particles can have
@@ -335,9 +334,14 @@ void Solver<D>::strain_tile(const Tile& tile, Scratch& scratch, double time_step
 template <int D>
 void Solver<D>::find_velocity_gradients(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
   const bool diffuses = recipe_.density_diffusion > 0.0;
-  const PairTile<D> pairs = open_tile(tile, scratch, {.gradient = true, .plain_gradient = diffuses});
+  const bool at_once = recipe_.corrected_gradients && correction_.empty() && !diffuses &&
+                       kernel_loops_.corrected_velocity_gradient != nullptr;
+  const PairTile<D> pairs = open_tile(tile, scratch, {.gradient = !at_once, .plain_gradient = diffuses});
   report.uncorrected = pairs.uncorrected;
-  loops_.velocity_gradient(pairs, records_, scratch.per_particle.data());
+  if (at_once)
+    report.uncorrected = kernel_loops_.corrected_velocity_gradient(pairs, records_, scratch.per_particle.data());
+  else
+    loops_.velocity_gradient(pairs, records_, scratch.per_particle.data());
   for (const auto& force : recipe_.forces) force->refine_gradients(tile.range, scratch.per_particle.data());
   if (recipe_.holds_particles) stop_straining_held(tile, scratch.per_particle.data());
   take_to_mid_step<D>(scratch.per_particle.data(), tile.range.count(), time_step);
@@ -399,14 +403,21 @@ void Solver<D>::respond_tile(const Tile& tile, Scratch& scratch, double time_ste
 template <int D>
 void Solver<D>::update_density(ParticleRange range, const double* velocity_gradient, const double* lateral_rate,
                                double time_step) {
-  for (std::size_t i = range.first(); i < range.last(); ++i, velocity_gradient += D * D) {
+  const auto half_stretch = [=](std::size_t k) {
     double divergence = 0.0;
-    for (int a = 0; a < D; ++a) divergence += velocity_gradient[a * (D + 1)];
-    const double half_stretch = 0.5 * time_step * divergence;
-    const double half = lateral_rate == nullptr ? half_stretch : half_stretch + time_step * *lateral_rate++;
-    density_[i] *= (1.0 - half) / (1.0 + half);
-    if (smoothing_length_varies_) smoothing_length_[i] *= (1.0 + half_stretch / D) / (1.0 - half_stretch / D);
+    for (std::size_t a = 0; a < D; ++a) divergence += velocity_gradient[k * D * D + a * (D + 1)];
+    return 0.5 * time_step * divergence;
+  };
+  const auto count = static_cast<std::size_t>(range.count());
+  double* density = &density_[range.first()];
+  for (std::size_t k = 0; k < count; ++k) {
+    const double half = lateral_rate == nullptr ? half_stretch(k) : half_stretch(k) + time_step * lateral_rate[k];
+    density[k] *= (1.0 - half) / (1.0 + half);
   }
+  if (!smoothing_length_varies_) return;
+  double* smoothing_length = &smoothing_length_[range.first()];
+  for (std::size_t k = 0; k < count; ++k)
+    smoothing_length[k] *= (1.0 + half_stretch(k) / D) / (1.0 - half_stretch(k) / D);
 }
 
 template <int D>
@@ -424,16 +435,24 @@ void Solver<D>::pack_limit_and_check(const Tile& tile, Scratch& scratch, TileRep
       medium[3] = viscosity;
     }
   }
-  report.step_limit = std::numeric_limits<double>::max();
-  const double* limit = scratch.step_limit.data();
-  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i, ++limit) {
-    const bool sound = density_[i] > 0.0 && smoothing_length_[i] > 0.0 && *limit > 0.0 && std::isfinite(pressure_[i]);
-    if (!sound && report.broken_particle < 0) report.broken_particle = static_cast<std::int32_t>(i);
-    if (*limit < report.step_limit) {
-      report.step_limit = *limit;
-      report.limiting_particle = static_cast<std::int32_t>(i);
-    }
+  const std::size_t first = tile.range.first(), count = tile.range.last() - first;
+  const double *limit = scratch.step_limit.data(), *density = &density_[first], *pressure = &pressure_[first];
+  const double* smoothing_length = &smoothing_length_[first];
+  const auto sound = [=](std::size_t k) {
+    return density[k] > 0.0 && smoothing_length[k] > 0.0 && limit[k] > 0.0 && std::isfinite(pressure[k]);
+  };
+  double least = limit[0];
+  bool all_sound = true;
+  for (std::size_t k = 0; k < count; ++k) {
+    all_sound = all_sound && sound(k);
+    least = std::min(least, limit[k]);
   }
+  report.step_limit = least;
+  report.limiting_particle = tile.range.begin + static_cast<std::int32_t>(std::find(limit, limit + count, least) - limit);
+  if (all_sound || report.broken_particle >= 0) return;
+  std::int32_t broken = 0;
+  while (sound(static_cast<std::size_t>(broken))) ++broken;
+  report.broken_particle = tile.range.begin + broken;
 }
 
 /// The time step rule dt = cfl h / (c + |v|), c the longitudinal wave speed (Long 2007, equation 12), and for viscous
@@ -452,7 +471,8 @@ void Solver<D>::find_step_limits(const Tile& tile, Scratch& scratch) const {
   for (std::size_t k = 0; k < count; ++k) {
     double speed = 0.0;
     for (std::size_t a = 0; a < D; ++a) speed += velocity[k * D + a] * velocity[k * D + a];
-    limit[k] = cfl * smoothing_length[k] / (limit[k] + std::sqrt(speed));
+    speed = D == 1 ? std::abs(velocity[k]) : std::sqrt(speed);
+    limit[k] = cfl * smoothing_length[k] / (limit[k] + speed);
   }
   if (body.viscosity == 0.0) return;
   for (std::size_t k = 0; k < count; ++k)

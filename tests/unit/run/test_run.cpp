@@ -83,6 +83,16 @@ TEST_F(Run, WritesFramesAtMultiplesOfTheIntervalAndAtTheEnd) {
   }
 }
 
+TEST_F(Run, WritesFramesAtTheTimesOfTheComparisonToo) {
+  scene.time.end = 0.55;
+  scene.compare.times = {0.47, 0.3, 0.123, 0.55, 0.9};  // in any order, and some that have frames or none
+  start(options());
+  const auto frames = numbered_frames(folder / "frames");
+  ASSERT_EQ(frames.size(), 9U);
+  EXPECT_EQ(read_hdf5_frame(frames.at(2)).time, 0.123);
+  EXPECT_EQ(read_hdf5_frame(frames.at(6)).time, 0.47);
+}
+
 TEST_F(Run, WritesTheEndOnceWhenItIsAMultipleOfTheIntervalButForRounding) {
   scene.time.end = 0.3;  // 3 * 0.1 is the next double above
   start(options());

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "unit/pairs/cloud.hpp"
+
+namespace anvil {
+namespace {
+
+const PairLoops<1>::KernelLoops& loops_of(const Kernel& kernel) { return pair_loops<1>().kernels[kernel.index()]; }
+
+/// The loop that does all at once against the loops it stands for, with every kernel; rows are one to three vectors
+/// long and empty.
+class LineLoops : public testing::TestWithParam<Kernel> {};
+
+std::vector<Vec<1>> line_with_a_stray_particle() {
+  auto points = jittered_lattice<1>(Cloud<1>::per_axis, Cloud<1>::spacing, 0.2);
+  points.push_back(Vec<1>(1e3 * Cloud<1>::spacing));
+  return points;
+}
+
+TEST_P(LineLoops, GiveTheGradientsOfTheSeparateLoops) {
+  Cloud<1> cloud(GetParam(), line_with_a_stray_particle());
+  PairTile<1> tile = cloud.tile();
+  std::vector<double> corrected(cloud.gradient[0].size()), at_once(corrected.size()), plain(corrected.size());
+  std::vector<double> inverse(cloud.count), inverse_at_once(cloud.count);
+  tile.gradient[0] = corrected.data();
+  tile.correction = inverse.data();
+  EXPECT_EQ(pair_loops<1>().correct_gradients(tile, cloud.records), 1);
+  tile.plain_gradient[0] = plain.data();
+  tile.gradient[0] = at_once.data();
+  tile.correction = inverse_at_once.data();
+  EXPECT_EQ(loops_of(GetParam()).corrected_gradients(tile, cloud.records), 1);
+  const auto pairs = static_cast<std::size_t>(cloud.list.first()[cloud.count]);
+  for (std::size_t k = 0; k < pairs; ++k) {
+    EXPECT_DOUBLE_EQ(plain[k], cloud.gradient[0][k]);
+    EXPECT_NEAR(at_once[k], corrected[k], 1e-13 * std::abs(corrected[k]));
+  }
+  for (std::size_t i = 0; i < cloud.count; ++i) EXPECT_NEAR(inverse_at_once[i], inverse[i], 1e-13 * inverse[i]);
+  tile.plain_gradient[0] = tile.gradient[0] = plain.data();  // one memory for both, as when nobody asks for the plain
+  (void)loops_of(GetParam()).corrected_gradients(tile, cloud.records);
+  for (std::size_t k = 0; k < pairs; ++k) EXPECT_EQ(plain[k], at_once[k]);
+}
+
+TEST_P(LineLoops, GiveTheVelocityGradientOfTheSeparateLoops) {
+  Cloud<1> cloud(GetParam(), line_with_a_stray_particle());
+  const PairTile<1> tile = cloud.tile();
+  std::vector<double> at_once(cloud.count), apart(cloud.count);
+  EXPECT_EQ(loops_of(GetParam()).corrected_velocity_gradient(tile, cloud.records, at_once.data()), 1);
+  (void)pair_loops<1>().correct_gradients(tile, cloud.records);
+  pair_loops<1>().velocity_gradient(tile, cloud.records, apart.data());
+  double largest = 0.0;
+  for (const double rate : apart) largest = std::max(largest, std::abs(rate));
+  EXPECT_GT(largest, 0.0);
+  for (std::size_t i = 0; i < cloud.count; ++i) EXPECT_NEAR(at_once[i], apart[i], 1e-13 * largest) << "particle " << i;
+}
+
+INSTANTIATE_TEST_SUITE_P(AllKernels, LineLoops,
+                         testing::Values(Kernel(CubicSpline()), Kernel(Gaussian()), Kernel(Quadratic()),
+                                         Kernel(WendlandC2()), Kernel(WendlandC4()), Kernel(QuinticSpline())),
+                         [](const auto& named) {
+                           std::string name(std::visit([](const auto& kernel) { return kernel.name; }, named.param));
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace anvil
