@@ -142,4 +142,56 @@ ANVIL_INLINE void load_two_fields(const double* records, const std::int32_t* ind
   }
 }
 
+// Four particles in a row whose records are two fields each. The lanes hold them in the order 0, 2, 1, 3, in which they
+// come out of the records with two instructions and go into rows with eight.
+
+template <int N>
+ANVIL_INLINE void load_run(const double* records, Lanes<N> out[2]) {
+  static_assert(N == 4);
+  const typename Lanes<N>::Tag tag;
+  const auto r01 = hn::LoadU(tag, records), r23 = hn::LoadU(tag, records + 4);
+  out[0].v = hn::InterleaveLower(tag, r01, r23);
+  out[1].v = hn::InterleaveUpper(tag, r01, r23);
+}
+
+/// The other way round as store_rows.
+template <int N>
+ANVIL_INLINE void load_rows(const double* rows, Lanes<N> values[4]) {
+  static_assert(N == 4);
+  const typename Lanes<N>::Tag tag;
+  const auto p0 = hn::LoadU(tag, rows), p1 = hn::LoadU(tag, rows + 4);
+  const auto p2 = hn::LoadU(tag, rows + 8), p3 = hn::LoadU(tag, rows + 12);
+  const auto a01 = hn::ConcatLowerLower(tag, p1, p0), b01 = hn::ConcatUpperUpper(tag, p1, p0);
+  const auto a23 = hn::ConcatLowerLower(tag, p3, p2), b23 = hn::ConcatUpperUpper(tag, p3, p2);
+  values[0].v = hn::InterleaveLower(tag, a01, a23);
+  values[1].v = hn::InterleaveUpper(tag, a01, a23);
+  values[2].v = hn::InterleaveLower(tag, b01, b23);
+  values[3].v = hn::InterleaveUpper(tag, b01, b23);
+}
+
+/// One value of each particle, in their order.
+template <int N>
+ANVIL_INLINE void store_run(Lanes<N> values, double* out) {
+  static_assert(N == 4);
+  const hn::Half<typename Lanes<N>::Tag> half;
+  const auto p02 = hn::LowerHalf(half, values.v), p13 = hn::UpperHalf(half, values.v);
+  hn::StoreU(hn::InterleaveLower(half, p02, p13), half, out);
+  hn::StoreU(hn::InterleaveUpper(half, p02, p13), half, out + 2);
+}
+
+/// Four values of each particle: out[4 * particle + n] = values[n] of the particle.
+template <int N>
+ANVIL_INLINE void store_rows(const Lanes<N> values[4], double* out) {
+  static_assert(N == 4);
+  const typename Lanes<N>::Tag tag;
+  const auto a01 = hn::InterleaveLower(tag, values[0].v, values[1].v);
+  const auto a23 = hn::InterleaveUpper(tag, values[0].v, values[1].v);
+  const auto b01 = hn::InterleaveLower(tag, values[2].v, values[3].v);
+  const auto b23 = hn::InterleaveUpper(tag, values[2].v, values[3].v);
+  hn::StoreU(hn::ConcatLowerLower(tag, b01, a01), tag, out);
+  hn::StoreU(hn::ConcatUpperUpper(tag, b01, a01), tag, out + 4);
+  hn::StoreU(hn::ConcatLowerLower(tag, b23, a23), tag, out + 8);
+  hn::StoreU(hn::ConcatUpperUpper(tag, b23, a23), tag, out + 12);
+}
+
 }  // namespace anvil::ANVIL_SIMD_LEVEL

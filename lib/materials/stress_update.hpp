@@ -69,22 +69,29 @@ ANVIL_INLINE Tensor deviatoric_strain_increment(const Tensor& velocity_gradient,
   return increment;
 }
 
+/// Adds 2 G dt dev(D) of a velocity gradient without shear: a compiler may not leave out what is times zero.
+ANVIL_INLINE void stretch(double shear_modulus, const Tensor& velocity_gradient, double dt, Tensor& deviator) {
+  const Tensor& grad = velocity_gradient;
+  const double mean = (grad(0, 0) + grad(1, 1) + grad(2, 2)) * (1.0 / 3.0);
+  for (int a = 0; a < 3; ++a) deviator(a, a) += 2.0 * (shear_modulus * (dt * (grad(a, a) - mean)));
+}
+
 /// One particle, one step: the Jaumann rate s_dot = 2 G dev(D) + W s - s W in the form s = R s R^T + 2 G dt dev(D),
 /// which equals the rate's sum to second order in dt but does not let stress grow when the material merely turns; the
 /// back stress turns with it. Then the return to the yield surface.
 ///
 /// `deviator` in Pa, symmetric and traceless, is updated in place. `velocity_gradient(a, b)` is dv_a/dx_b in 1/s, at
 /// the middle of the step for second order; `dt` in s. Two-dimensional and one-dimensional scenes pass zeros out of
-/// plane. Without `Turns` the spin is taken as zero: in one dimension there is none.
+/// plane. Without `Turns` there is neither spin nor shear, as in one dimension.
 template <bool Turns = true, class Strength>
 ANVIL_INLINE PlasticStep update_deviator(const Strength& strength, Tensor& deviator, StrengthHistory& history,
                                          const Tensor& velocity_gradient, double dt) {
   if constexpr (Strength::resists_shear) {
-    const Tensor half_increment = strength.shear_modulus() * deviatoric_strain_increment(velocity_gradient, dt);
     if constexpr (!Turns) {
-      deviator += 2.0 * half_increment;
+      stretch(strength.shear_modulus(), velocity_gradient, dt, deviator);
       return strength.return_to_yield(deviator, history);
     }
+    const Tensor half_increment = strength.shear_modulus() * deviatoric_strain_increment(velocity_gradient, dt);
     const Tensor rotation = spin_rotation(velocity_gradient, dt);
     deviator = rotate_symmetric(rotation, deviator + half_increment) + half_increment;
     if (strength.has_back_stress()) history.back_stress = rotate_symmetric(rotation, history.back_stress);

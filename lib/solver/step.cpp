@@ -53,8 +53,7 @@ double Solver<D>::choose_time_step(double latest) const {
 
 template <int D>
 void Solver<D>::accelerate(double kick) {
-  if (!recipe_.deformation)
-    for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) { pack_sizes(tile.range); });
+  if (!recipe_.deformation) for_each_tile([&](const Tile& tile, Scratch&, TileReport<D>&) { pack_sizes(tile.range); });
   kick_ = kick;
   if (!walls_.empty()) {
     move_walls(0.0);  // with the smoothing lengths of now: what a restart finds
@@ -448,7 +447,8 @@ void Solver<D>::pack_limit_and_check(const Tile& tile, Scratch& scratch, TileRep
     least = std::min(least, limit[k]);
   }
   report.step_limit = least;
-  report.limiting_particle = tile.range.begin + static_cast<std::int32_t>(std::find(limit, limit + count, least) - limit);
+  report.limiting_particle =
+      tile.range.begin + static_cast<std::int32_t>(std::find(limit, limit + count, least) - limit);
   if (all_sound || report.broken_particle >= 0) return;
   std::int32_t broken = 0;
   while (sound(static_cast<std::size_t>(broken))) ++broken;
