@@ -154,6 +154,14 @@ ANVIL_INLINE void load_run(const double* records, Lanes<N> out[2]) {
   out[1].v = hn::InterleaveUpper(tag, r01, r23);
 }
 
+/// Records of four fields.
+template <int N>
+ANVIL_INLINE void load_long_run(const double* records, Lanes<N> out[4]) {
+  static_assert(N == 4);
+  const std::int32_t order[] = {0, 2, 1, 3};
+  load_four_fields<N>(records, 4, order, out);
+}
+
 /// The other way round as store_rows.
 template <int N>
 ANVIL_INLINE void load_rows(const double* rows, Lanes<N> values[4]) {

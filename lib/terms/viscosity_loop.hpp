@@ -28,15 +28,11 @@ ANVIL_INLINE void add_viscosity_of_run(const PairTile<1>& tile, const PairRecord
                                        double* heating) {
   using L = Lanes<N>;
   const auto row = static_cast<std::size_t>(i);
-  const double *places = records.geometry[row], *motions = records.motion[row];
-  const auto load_media = [&](std::int32_t first, L* out) ANVIL_INLINE_LAMBDA {
-    const std::int32_t order[] = {first, first + 2, first + 1, first + 3};  // that of load_run
-    load_record(records.medium, order, out);
-  };
+  const double *places = records.geometry[row], *motions = records.motion[row], *media = records.medium[row];
   L place[2], motion[2], medium[4], gradient[run_length], sum(0.0), heat(0.0);
   load_run(places, place);
   load_run(motions, motion);
-  load_media(i, medium);
+  load_long_run(media, medium);
   load_rows(tile.plain_gradient[0] + (tile.first[i] - tile.first[tile.begin]), gradient);
   for (int n = 0; n < run_length; ++n) {
     L other_place[2], other_motion[2], other_medium[4];
@@ -44,7 +40,7 @@ ANVIL_INLINE void add_viscosity_of_run(const PairTile<1>& tile, const PairRecord
     load_run(motions + 2 * run_steps[n], other_motion);
     const L x_ij = place[0] - other_place[0], v_ij = motion[0] - other_motion[0], approach = v_ij * x_ij;
     if (!any(approach < L(0.0))) continue;
-    load_media(i + run_steps[n], other_medium);
+    load_long_run(media + 4 * run_steps[n], other_medium);
     const L h = L(0.5) * (place[1] + other_place[1]);
     const L pi_ij = viscous_weight(coefficients, approach, x_ij * x_ij, h, medium, other_medium);
     sum -= pi_ij * gradient[n];
