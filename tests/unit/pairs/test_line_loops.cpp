@@ -6,18 +6,22 @@ namespace {
 
 const PairLoops<1>::KernelLoops& loops_of(const Kernel& kernel) { return pair_loops<1>().kernels[kernel.index()]; }
 
-/// The loop that does all at once against the loops it stands for, with every kernel; rows are one to three vectors
-/// long and empty.
-class LineLoops : public testing::TestWithParam<Kernel> {};
+/// The loop that does all at once against the loops it stands for, with every kernel. Rows are empty and one to three
+/// vectors long; on the even line most hold the two particles before and behind, if the kernel's support is two.
+class LineLoops : public testing::TestWithParam<std::tuple<Kernel, double>> {
+ protected:
+  [[nodiscard]] static const Kernel& kernel() { return std::get<Kernel>(GetParam()); }
+  Cloud<1> cloud{kernel(), line_with_a_stray_particle(std::get<double>(GetParam()))};
 
-std::vector<Vec<1>> line_with_a_stray_particle() {
-  auto points = jittered_lattice<1>(Cloud<1>::per_axis, Cloud<1>::spacing, 0.2);
-  points.push_back(Vec<1>(1e3 * Cloud<1>::spacing));
-  return points;
-}
+ private:
+  static std::vector<Vec<1>> line_with_a_stray_particle(double jitter) {
+    auto points = jittered_lattice<1>(Cloud<1>::per_axis, Cloud<1>::spacing, jitter);
+    points.push_back(Vec<1>(1e3 * Cloud<1>::spacing));
+    return points;
+  }
+};
 
 TEST_P(LineLoops, GiveTheGradientsOfTheSeparateLoops) {
-  Cloud<1> cloud(GetParam(), line_with_a_stray_particle());
   PairTile<1> tile = cloud.tile();
   std::vector<double> corrected(cloud.gradient[0].size()), at_once(corrected.size()), plain(corrected.size());
   std::vector<double> inverse(cloud.count), inverse_at_once(cloud.count);
@@ -27,7 +31,7 @@ TEST_P(LineLoops, GiveTheGradientsOfTheSeparateLoops) {
   tile.plain_gradient[0] = plain.data();
   tile.gradient[0] = at_once.data();
   tile.correction = inverse_at_once.data();
-  EXPECT_EQ(loops_of(GetParam()).corrected_gradients(tile, cloud.records), 1);
+  EXPECT_EQ(loops_of(kernel()).corrected_gradients(tile, cloud.records), 1);
   const auto pairs = static_cast<std::size_t>(cloud.list.first()[cloud.count]);
   for (std::size_t k = 0; k < pairs; ++k) {
     EXPECT_DOUBLE_EQ(plain[k], cloud.gradient[0][k]);
@@ -35,15 +39,14 @@ TEST_P(LineLoops, GiveTheGradientsOfTheSeparateLoops) {
   }
   for (std::size_t i = 0; i < cloud.count; ++i) EXPECT_NEAR(inverse_at_once[i], inverse[i], 1e-13 * inverse[i]);
   tile.plain_gradient[0] = tile.gradient[0] = plain.data();  // one memory for both, as when nobody asks for the plain
-  (void)loops_of(GetParam()).corrected_gradients(tile, cloud.records);
+  (void)loops_of(kernel()).corrected_gradients(tile, cloud.records);
   for (std::size_t k = 0; k < pairs; ++k) EXPECT_EQ(plain[k], at_once[k]);
 }
 
 TEST_P(LineLoops, GiveTheVelocityGradientOfTheSeparateLoops) {
-  Cloud<1> cloud(GetParam(), line_with_a_stray_particle());
   const PairTile<1> tile = cloud.tile();
   std::vector<double> at_once(cloud.count), apart(cloud.count);
-  EXPECT_EQ(loops_of(GetParam()).corrected_velocity_gradient(tile, cloud.records, at_once.data()), 1);
+  EXPECT_EQ(loops_of(kernel()).corrected_velocity_gradient(tile, cloud.records, at_once.data()), 1);
   (void)pair_loops<1>().correct_gradients(tile, cloud.records);
   pair_loops<1>().velocity_gradient(tile, cloud.records, apart.data());
   double largest = 0.0;
@@ -52,12 +55,13 @@ TEST_P(LineLoops, GiveTheVelocityGradientOfTheSeparateLoops) {
   for (std::size_t i = 0; i < cloud.count; ++i) EXPECT_NEAR(at_once[i], apart[i], 1e-13 * largest) << "particle " << i;
 }
 
-INSTANTIATE_TEST_SUITE_P(AllKernels, LineLoops,
-                         testing::Values(Kernel(CubicSpline()), Kernel(Gaussian()), Kernel(Quadratic()),
-                                         Kernel(WendlandC2()), Kernel(WendlandC4()), Kernel(QuinticSpline())),
+const Kernel kernels[] = {CubicSpline(), Gaussian(), Quadratic(), WendlandC2(), WendlandC4(), QuinticSpline()};
+
+INSTANTIATE_TEST_SUITE_P(AllKernels, LineLoops, testing::Combine(testing::ValuesIn(kernels), testing::Values(0.0, 0.2)),
                          [](const auto& named) {
-                           std::string name(std::visit([](const auto& kernel) { return kernel.name; }, named.param));
-                           return name;
+                           const Kernel& kernel = std::get<Kernel>(named.param);
+                           const std::string name(std::visit([](const auto& one) { return one.name; }, kernel));
+                           return name + (std::get<double>(named.param) == 0.0 ? "_even" : "_uneven");
                          });
 
 }  // namespace
