@@ -11,6 +11,7 @@
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -74,6 +75,47 @@ struct LaneMask {
 template <int N>
 ANVIL_INLINE bool any(LaneMask<N> mask) {
   return !hn::AllFalse(typename Lanes<N>::Tag(), mask.m);
+}
+
+#if HWY_TARGET == HWY_AVX2
+/// Halves of the lanes to take for each mask of four. Highway's own compress copies such a table at every call.
+alignas(32) inline constexpr auto compressed_halves = [] {
+  std::array<std::array<std::uint32_t, 8>, 16> halves{};
+  for (std::uint32_t mask = 0; mask < 16; ++mask)
+    for (std::uint32_t lane = 0, next = 0; lane < 4; ++lane)
+      if ((mask >> lane & 1U) != 0) {
+        halves[mask][next++] = 2 * lane;
+        halves[mask][next++] = 2 * lane + 1;
+      }
+  return halves;
+}();
+#endif
+
+/// Writes the lanes where the mask holds side by side. `out` has room for all of them.
+template <int N>
+ANVIL_INLINE void compress(Lanes<N> values, LaneMask<N> mask, double* out) {
+  const typename Lanes<N>::Tag tag;
+#if HWY_TARGET == HWY_AVX2
+  if constexpr (N == 4) {
+    const hn::Repartition<std::uint32_t, typename Lanes<N>::Tag> half;
+    const auto indices = hn::SetTableIndices(half, compressed_halves[mask.bits()].data());
+    hn::StoreU(hn::BitCast(tag, hn::TableLookupLanes(hn::BitCast(half, values.v), indices)), tag, out);
+    return;
+  }
+#endif
+  hn::CompressStore(values.v, mask.m, tag, out);
+}
+
+/// The same for a number per lane; returns how many there are.
+template <int N>
+ANVIL_INLINE int compress(const std::int32_t* numbers, LaneMask<N> mask, std::int32_t* out) {
+  const std::uint32_t bits = mask.bits();
+  int count = 0;
+  for (int lane = 0; lane < N; ++lane) {
+    out[count] = numbers[lane];
+    count += static_cast<int>(bits >> lane & 1U);
+  }
+  return count;
 }
 
 /// Fields first .. first+3 of the records of N particles, each field in its own vector: out[f] holds field f of record

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "anvil/core/error.hpp"
+#include "anvil/scene/ring.hpp"
 
 namespace anvil {
 
@@ -17,8 +19,8 @@ PlacedBody<2> place_concentric(const BodyDescription& body, double spacing) {
   const auto shape = make_shape<2>(body.shape);
   const Parameters& keys = body.shape.parameters;
   const double inner = keys.number("inner_radius"), thickness = keys.number("outer_radius") - inner;
-  const std::string& sector = keys.text("sector");
-  const long long parts = sector == "full" ? 1 : (sector == "half" ? 2 : 4);
+  const double opening = ring_opening(keys), part = std::min(opening, 0.5 * std::numbers::pi);
+  const long long parts = std::llround(opening / part);
   if (!(shape->volume() / (spacing * spacing) <= most_particles))
     throw InputError(
         fmt::format("a spacing of {} m fills the body with more than {:.3g} particles", spacing, most_particles));
@@ -28,9 +30,9 @@ PlacedBody<2> place_concentric(const BodyDescription& body, double spacing) {
   PlacedBody<2> placed;
   for (long long k = 0; k < layers; ++k) {
     const double radius = inner + (static_cast<double>(k) + 0.5) * layer;
-    const auto quarter = std::max(1LL, std::llround(0.5 * std::numbers::pi * radius / spacing));
-    const double angle = 0.5 * std::numbers::pi / static_cast<double>(quarter);
-    for (long long j = 0; j < 4 * quarter / parts; ++j) {
+    const auto in_part = std::max(1LL, std::llround(part * radius / spacing));  // a sector has the ring's particles
+    const double angle = part / static_cast<double>(in_part);
+    for (long long j = 0; j < parts * in_part; ++j) {
       const double turn = (static_cast<double>(j) + 0.5) * angle;
       placed.positions.push_back(middle + shape->turned(Vec<2>(radius * std::cos(turn), radius * std::sin(turn))));
       placed.volumes.push_back(angle * radius * layer);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "anvil/core/error.hpp"
+#include "anvil/scene/ring.hpp"
 
 namespace anvil {
 namespace {
@@ -78,8 +79,8 @@ class Cylinder final : public Shape<3> {
   Vec<3> centre_;
 };
 
-/// The region between two circles, or the half of it above their centre, or the quarter above and to the right; with an
-/// inner radius of zero a disc.
+/// The region between two circles, or the half of it above their centre, or the quarter above and to the right, or the
+/// wedge of an opening that begins at the x axis; with an inner radius of zero a disc.
 class Ring final : public Shape<2> {
  public:
   explicit Ring(const Parameters& keys)
@@ -87,18 +88,18 @@ class Ring final : public Shape<2> {
         inner_(keys.number("inner_radius")),
         outer_(keys.number("outer_radius")),
         turn_(keys.number("angle")),
-        half_(keys.text("sector") != "full"),
-        quarter_(keys.text("sector") == "quarter") {
+        opening_(ring_opening(keys)) {
     if (!(outer_ > inner_)) throw InputError("outer_radius must be larger than inner_radius");
-    if (half_ && turn_ != 0.0) throw InputError("only a full ring can be turned by an angle");
-    begin_ = {quarter_ ? 0.0 : -outer_, half_ ? 0.0 : -outer_};
+    if (!is_full() && turn_ != 0.0) throw InputError("only a full ring can be turned by an angle");
+    begin_ = {opening_ > 0.5 * pi ? -outer_ : 0.0, is_full() ? -outer_ : 0.0};
   }
   [[nodiscard]] Vec<2> centre() const override { return middle_ + 0.5 * (begin_ + Vec<2>::Constant(outer_)); }
   [[nodiscard]] Vec<2> size() const override { return Vec<2>::Constant(outer_) - begin_; }
   [[nodiscard]] bool ends_in_planes(int) const override { return false; }
   [[nodiscard]] bool contains(const Vec<2>& offset) const override {
     const Vec<2> arm = offset + (centre() - middle_);
-    if ((half_ && arm[1] < 0.0) || (quarter_ && arm[0] < 0.0)) return false;
+    const Vec<2> along(std::cos(opening_), std::sin(opening_));  // the wedge's second edge
+    if (!is_full() && (arm[1] < 0.0 || arm[1] * along[0] > arm[0] * along[1] + 1e-12 * outer_)) return false;
     return arm.norm() >= inner_ && arm.norm() <= outer_;
   }
   [[nodiscard]] Vec<2> turned(const Vec<2>& offset) const override {
@@ -106,22 +107,28 @@ class Ring final : public Shape<2> {
     const double cosine = std::cos(turn_), sine = std::sin(turn_);
     return {cosine * offset[0] - sine * offset[1], sine * offset[0] + cosine * offset[1]};
   }
-  [[nodiscard]] double volume() const override {
-    return pi * (outer_ - inner_) * (outer_ + inner_) * (quarter_ ? 0.25 : (half_ ? 0.5 : 1.0));
-  }
-  /// A sector reaches no further than the box around it.
+  [[nodiscard]] double volume() const override { return 0.5 * opening_ * (outer_ - inner_) * (outer_ + inner_); }
   [[nodiscard]] double reach(const Vec<2>& direction) const override {
-    if (!half_) return outer_ * direction.norm();
-    return 0.5 * direction.cwiseAbs().dot(size());
+    const double all_round = outer_ * direction.norm();
+    if (is_full()) return all_round;
+    double angle = std::atan2(direction[1], direction[0]);
+    if (angle < 0.0) angle += 2.0 * pi;
+    double farthest = angle <= opening_ ? all_round : -all_round;  // on the outer arc, or at a corner
+    for (const double edge : {0.0, opening_})
+      for (const double radius : {inner_, outer_})
+        farthest = std::max(farthest, radius * direction.dot(Vec<2>(std::cos(edge), std::sin(edge))));
+    return farthest - direction.dot(centre() - middle_);
   }
 
  private:
+  [[nodiscard]] bool is_full() const { return opening_ > pi; }
+
   Vec<2> middle_;
   double inner_;
   double outer_;
-  double turn_;  // rad
-  bool half_, quarter_;
-  Vec<2> begin_;  // lowest corner of the box around it, from the middle
+  double turn_;     // rad
+  double opening_;  // rad
+  Vec<2> begin_;    // lowest corner of the box around it, from the middle
 };
 
 /// The inside of a closed path; what its boundary holds belongs to it up to rounding.
@@ -248,8 +255,14 @@ const std::vector<ShapeRow>& shape_rows() {
                           .kind = ValueKind::choice,
                           .standard = "full",
                           .help = "part of the ring: half is the one with y above the centre, quarter the one with x "
-                                  "above it too; set symmetry planes at the cuts",
-                          .choices = {"full", "half", "quarter"}},
+                                  "above it too, wedge what lies within the opening from the x axis on; set symmetry "
+                                  "planes at the cuts",
+                          .choices = {"full", "half", "quarter", "wedge"}},
+                         {.name = "opening",
+                          .standard = 0.0,
+                          .help =
+                              "of a wedge, in radians, up to a quarter: whole parts of a turn, 2 pi / n with an even "
+                              "n, give the ring's answer between two symmetry planes"},
                          {.name = "angle",
                           .standard = 0.0,
                           .help = "in radians, by which the particles of a full ring are turned about its centre"}},

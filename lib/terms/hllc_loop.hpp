@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+
 #include "anvil/pairs/lane_loop.hpp"
 #include "anvil/terms/coefficients.hpp"
 #include "anvil/terms/hllc_star.hpp"
@@ -8,37 +10,71 @@
 
 namespace anvil::ANVIL_SIMD_LEVEL {
 
-/// A particle or its neighbours in the loop: what their records hold.
+/// A particle or its neighbours in a Riemann problem: what their records hold.
 template <int D, class L>
 struct HllcRecords {
   L motion[PairRecords<D>::small], traction[PairRecords<D>::large], response[8], slope[SlopeField<D>::size];
 };
 
-/// Components along n of the velocity and the stress of one side, and their differences over a distance along n.
+/// Pairs of one particle that approach, side by side: their Riemann problems fill whole vectors. Not worth the while in
+/// one dimension, where a particle has a vector of neighbours or two.
+template <int D>
+struct ApproachingPairs {
+  static constexpr int capacity = 64;
+  static constexpr int size = capacity + lanes<D>;  // whole vectors are written
+  int count = 0;
+  std::int32_t neighbour[size];
+  alignas(64) double separation[D][size], gradient[D][size];  // x_j - x_i, m; V_j grad_ij, 1/m
+
+  template <class L, class Mask>
+  ANVIL_INLINE void add(const std::int32_t* neighbours, const L* x_ji, const L* grad, const Mask& mask) {
+    for (int a = 0; a < D; ++a) {
+      compress(x_ji[a], mask, separation[a] + count);
+      compress(grad[a], mask, gradient[a] + count);
+    }
+    count += compress(neighbours, mask, neighbour + count);
+  }
+
+  /// Fills the last vector with pairs that weigh nothing.
+  ANVIL_INLINE void pad(std::int32_t with) {
+    for (int k = count; k < count + lanes<D> - 1; ++k) {
+      neighbour[k] = with;
+      for (int a = 0; a < D; ++a) {
+        separation[a][k] = 1.0;
+        gradient[a][k] = 0.0;
+      }
+    }
+  }
+};
+
+/// n . t . n of a symmetric tensor and the vector t . n.
+template <int D, class L>
+ANVIL_INLINE void apply_packed(const L* tensor, const L* n, L* out) {
+  for (int a = 0; a < D; ++a) {
+    out[a] = tensor[packed_index<D>(a, 0)] * n[0];
+    for (int b = 1; b < D; ++b) out[a] += tensor[packed_index<D>(a, b)] * n[b];
+  }
+}
+
+template <int D, class L>
+ANVIL_INLINE L dot(const L* a, const L* b) {
+  L sum = a[0] * b[0];
+  for (int c = 1; c < D; ++c) sum += a[c] * b[c];
+  return sum;
+}
+
+/// Components along n of a velocity and a stress.
 template <class L>
 struct AlongPair {
   L velocity, stress;
 };
 
-template <int D, class L>
-ANVIL_INLINE AlongPair<L> state_along(const HllcRecords<D, L>& from, const L* n) {
-  AlongPair<L> along{L(0.0), L(0.0)};
-  for (int a = 0; a < D; ++a) {
-    along.velocity += from.motion[a] * n[a];
-    for (int b = 0; b < D; ++b) along.stress += from.traction[packed_index<D>(a, b)] * n[a] * n[b];
-  }
-  return along;
-}
-
-/// The slope of the stress along n is that of a plane wave in this direction: n . div sigma.
+/// Slopes along n. That of the stress is a plane wave's in this direction: n . div sigma.
 template <int D, class L>
 ANVIL_INLINE AlongPair<L> slope_along(const HllcRecords<D, L>& from, const L* n) {
-  AlongPair<L> along{L(0.0), L(0.0)};
-  for (int a = 0; a < D; ++a) {
-    along.stress += from.slope[SlopeField<D>::stress + a] * n[a];
-    for (int b = 0; b < D; ++b) along.velocity += from.slope[a * D + b] * n[a] * n[b];
-  }
-  return along;
+  L gradient[D];
+  for (int a = 0; a < D; ++a) gradient[a] = dot<D>(from.slope + a * D, n);
+  return {dot<D>(gradient, n), dot<D>(from.slope + SlopeField<D>::stress, n)};
 }
 
 /// Changes from either side to the middle of a pair.
@@ -69,11 +105,10 @@ ANVIL_INLINE HalfChanges<L> limited_halves(const L& left_change, const L& right_
 }
 
 template <int D, class L>
-ANVIL_INLINE RiemannSide<L> riemann_side(const HllcRecords<D, L>& from, const AlongPair<L>& own,
-                                         const AlongPair<L>& at_middle) {
-  return {.velocity = at_middle.velocity,
-          .stress = at_middle.stress,
-          .deviator = own.stress + from.response[response_pressure],
+ANVIL_INLINE RiemannSide<L> riemann_side(const HllcRecords<D, L>& from, const AlongPair<L>& state, const L& stress) {
+  return {.velocity = state.velocity,
+          .stress = state.stress,
+          .deviator = stress + from.response[response_pressure],
           .density = from.response[response_density],
           .elastic_speed = from.response[response_elastic_speed],
           .plastic_speed = from.response[response_plastic_speed],
@@ -82,30 +117,30 @@ ANVIL_INLINE RiemannSide<L> riemann_side(const HllcRecords<D, L>& from, const Al
           .limit = from.response[response_limit]};
 }
 
-/// What the star state of approaching pairs has beyond the mean of both sides, along n; zero for parting pairs. Parting
-/// is judged by the velocities of the particles.
-template <int D, bool Reconstructs, class L, class Mask>
+/// What the star state of a pair has beyond the mean of both sides, along n. `jump`: right side less left one;
+/// stresses: of either side along n.
+template <int D, bool Reconstructs, class L>
 ANVIL_INLINE AlongPair<L> star_excess(const HllcRecords<D, L>& own, const HllcRecords<D, L>& other, const L* n,
-                                      const L& distance, const Mask& approaching) {
-  const AlongPair<L> left = state_along<D>(own, n), right = state_along<D>(other, n);
-  AlongPair<L> left_middle = left, right_middle = right;
+                                      const L& distance, const AlongPair<L>& jump, const L& left_stress,
+                                      const L& right_stress) {
+  AlongPair<L> left{L(-0.5) * jump.velocity, L(-0.5) * jump.stress};  // from the mean
+  AlongPair<L> right{L(0.5) * jump.velocity, L(0.5) * jump.stress};
   if constexpr (Reconstructs) {
     const AlongPair<L> left_slope = slope_along<D>(own, n), right_slope = slope_along<D>(other, n);
-    const L rise = right.velocity - left.velocity, pull = right.stress - left.stress;
     const L bodies = own.slope[SlopeField<D>::body] - other.slope[SlopeField<D>::body];
-    const auto same = bodies * bodies < L(0.25);
-    const L length = select(same, distance, L(0.0)), one = select(same, L(1.0), L(0.0));
-    const HalfChanges<L> rises = limited_halves(left_slope.velocity * length, right_slope.velocity * length, rise);
-    const HalfChanges<L> pulls = limited_halves(left_slope.stress * length, right_slope.stress * length, pull);
-    left_middle.velocity += one * rises.left;
-    left_middle.stress += one * pulls.left;
-    right_middle.velocity -= one * rises.right;
-    right_middle.stress -= one * pulls.right;
+    const L one = select(bodies * bodies < L(0.25), L(1.0), L(0.0));
+    const HalfChanges<L> rises =
+        limited_halves(left_slope.velocity * distance, right_slope.velocity * distance, jump.velocity);
+    const HalfChanges<L> pulls =
+        limited_halves(left_slope.stress * distance, right_slope.stress * distance, jump.stress);
+    left.velocity += one * rises.left;
+    left.stress += one * pulls.left;
+    right.velocity -= one * rises.right;
+    right.stress -= one * pulls.right;
   }
   const StarState<L> star =
-      hllc_star(riemann_side<D>(own, left, left_middle), riemann_side<D>(other, right, right_middle));
-  return {select(approaching, star.velocity - L(0.5) * (left.velocity + right.velocity), L(0.0)),
-          select(approaching, star.stress - L(0.5) * (left.stress + right.stress), L(0.0))};
+      hllc_star(riemann_side<D>(own, left, left_stress), riemann_side<D>(other, right, right_stress));
+  return {star.velocity, star.stress};
 }
 
 /// grad -> (L_i + L_j)/2 grad.
@@ -124,10 +159,75 @@ ANVIL_INLINE void symmetrise(const PairRecords<D>& records, std::size_t row, con
     }
 }
 
+/// Sums of one particle.
+template <int D, class L>
+struct HllcRow {
+  L force[D], work, star_gradient[D][D];
+};
+
+/// Adds what the star states of pairs have beyond the means of both sides. `x_ji`: x_j - x_i; grad: V_j grad_ij.
+template <int D, bool Reconstructs, class L>
+ANVIL_INLINE void add_excess(const HllcRecords<D, L>& own, const HllcRecords<D, L>& other, const L* x_ji, const L* grad,
+                             HllcRow<D, L>& sums) {
+  L n[D], distance;
+  if constexpr (D == 1) {
+    distance = max(x_ji[0], -x_ji[0]);
+    n[0] = select(x_ji[0] < L(0.0), L(-1.0), L(1.0));
+  } else {
+    distance = sqrt(dot<D>(x_ji, x_ji));
+    const L inverse = L(1.0) / distance;
+    for (int a = 0; a < D; ++a) n[a] = x_ji[a] * inverse;
+  }
+  L left_pull[D], right_pull[D], twice_mean[D], difference[D];
+  apply_packed<D>(own.traction, n, left_pull);
+  apply_packed<D>(other.traction, n, right_pull);
+  for (int a = 0; a < D; ++a) {
+    twice_mean[a] = own.motion[a] + other.motion[a];
+    difference[a] = other.motion[a] - own.motion[a];
+  }
+  const L left_stress = dot<D>(left_pull, n), right_stress = dot<D>(right_pull, n);
+  const AlongPair<L> jump{dot<D>(difference, n), right_stress - left_stress};
+  const AlongPair<L> excess = star_excess<D, Reconstructs>(own, other, n, distance, jump, left_stress, right_stress);
+  const L pull = excess.stress * dot<D>(grad, n);
+  L mean_pull(0.0);
+  for (int a = 0; a < D; ++a) {
+    sums.force[a] += pull * n[a];
+    mean_pull += (left_pull[a] + right_pull[a]) * grad[a];
+    const L along = excess.velocity * n[a];
+    for (int b = 0; b < D; ++b) sums.star_gradient[a][b] += along * grad[b];
+  }
+  sums.work += pull * (L(0.5) * dot<D>(twice_mean, n) + excess.velocity) + L(0.5) * mean_pull * excess.velocity;
+}
+
+template <int D, bool Reconstructs, class L>
+ANVIL_INLINE void load_rest(const PairRecords<D>& records, const std::int32_t* neighbour, HllcRecords<D, L>& out) {
+  load_record(records.response, neighbour, out.response);
+  if constexpr (Reconstructs) load_record(records.slope, neighbour, out.slope);
+}
+
+template <int D, bool Reconstructs, class L>
+ANVIL_INLINE void add_excesses(const PairRecords<D>& records, const ApproachingPairs<D>& pairs,
+                               const HllcRecords<D, L>& own, HllcRow<D, L>& sums) {
+  for (int k = 0; k < pairs.count; k += lanes<D>) {
+    HllcRecords<D, L> other;
+    load_record(records.motion, pairs.neighbour + k, other.motion);
+    load_record(records.traction, pairs.neighbour + k, other.traction);
+    load_rest<D, Reconstructs>(records, pairs.neighbour + k, other);
+    L x_ji[D], grad[D];
+    for (int a = 0; a < D; ++a) {
+      x_ji[a] = L::load(pairs.separation[a] + k);
+      grad[a] = L::load(pairs.gradient[a] + k);
+    }
+    add_excess<D, Reconstructs>(own, other, x_ji, grad, sums);
+  }
+}
+
 template <int D, bool Reconstructs, bool Symmetrised>
 void sum_hllc_of(const PairTile<D>& tile, const PairRecords<D>& records, bool corrected, const HllcSums& sums) {
   using L = Lanes<lanes<D>>;
   const auto& gradient = corrected ? tile.gradient : tile.plain_gradient;
+  const auto padding = static_cast<std::int32_t>(records.first_image() - 1);
+  ApproachingPairs<D> approaching;
   for_each_row(tile, [&](std::int32_t i, std::int64_t begin, std::int64_t end) ANVIL_INLINE_LAMBDA {
     const auto row = static_cast<std::size_t>(i);
     HllcRecords<D, L> own;
@@ -138,59 +238,54 @@ void sum_hllc_of(const PairTile<D>& tile, const PairRecords<D>& records, bool co
     for (int f = 0; f < 8; ++f) own.response[f] = L(records.response[row][f]);
     if constexpr (Reconstructs)
       for (int f = 0; f < SlopeField<D>::size; ++f) own.slope[f] = L(records.slope[row][f]);
-    L force[D], work(0.0), star_gradient[D][D];
+    HllcRow<D, L> total;
+    total.work = L(0.0);
     for (int a = 0; a < D; ++a) {
-      force[a] = L(0.0);
-      for (int b = 0; b < D; ++b) star_gradient[a][b] = L(0.0);
+      total.force[a] = L(0.0);
+      for (int b = 0; b < D; ++b) total.star_gradient[a][b] = L(0.0);
     }
-    for (std::int64_t k = begin; k < end; k += lanes<D>) {
-      const std::int64_t at = k - tile.first[tile.begin];
-      if constexpr (lanes<D> == 1 && D == 1)
-        if (gradient[0][at] == 0.0) continue;  // out of reach
-      HllcRecords<D, L> other;
-      L other_place[PairRecords<D>::small];
-      load_record(records.geometry, tile.neighbour + k, other_place);
-      load_record(records.motion, tile.neighbour + k, other.motion);
-      load_record(records.traction, tile.neighbour + k, other.traction);
-      L n[D], length_squared(1e-300), closing(0.0);  // n from i to j
-      for (int a = 0; a < D; ++a) {
-        n[a] = other_place[a] - place[a];
-        length_squared += n[a] * n[a];
-      }
-      const L distance = sqrt(length_squared), inverse = L(1.0) / distance;
-      for (int a = 0; a < D; ++a) {
-        n[a] = n[a] * inverse;
-        closing += (own.motion[a] - other.motion[a]) * n[a];
-      }
-      L grad[D], along(0.0);
-      for (std::size_t a = 0; a < D; ++a) grad[a] = other.motion[D] * L::load(gradient[a] + at);
-      if constexpr (Symmetrised) symmetrise<D>(records, row, tile.neighbour + k, grad);
-      for (int a = 0; a < D; ++a) along += grad[a] * n[a];
-      AlongPair<L> excess{L(0.0), L(0.0)};
-      const auto approaching = L(0.0) < closing;
-      if (any(approaching)) {
-        load_record(records.response, tile.neighbour + k, other.response);
-        if constexpr (Reconstructs) load_record(records.slope, tile.neighbour + k, other.slope);
-        excess = star_excess<D, Reconstructs>(own, other, n, distance, approaching);
-        for (int a = 0; a < D; ++a)
-          for (int b = 0; b < D; ++b) star_gradient[a][b] += excess.velocity * n[a] * grad[b];
-      }
-      for (int a = 0; a < D; ++a) {
-        L pull = excess.stress * along * n[a];
-        for (int b = 0; b < D; ++b) {
-          const int c = packed_index<D>(a, b);
-          pull += L(0.5) * (own.traction[c] + other.traction[c]) * grad[b];
+    for (std::int64_t chunk = begin; chunk < end; chunk += ApproachingPairs<D>::capacity) {
+      approaching.count = 0;
+      const std::int64_t chunk_end = std::min<std::int64_t>(end, chunk + ApproachingPairs<D>::capacity);
+      for (std::int64_t k = chunk; k < chunk_end; k += lanes<D>) {
+        const std::int64_t at = k - tile.first[tile.begin];
+        HllcRecords<D, L> other;
+        L other_place[PairRecords<D>::small];
+        load_record(records.geometry, tile.neighbour + k, other_place);
+        load_record(records.motion, tile.neighbour + k, other.motion);
+        load_record(records.traction, tile.neighbour + k, other.traction);
+        L grad[D], x_ji[D], mean[D], pull[D], tensor[symmetric_components<D>], closing(0.0);
+        for (std::size_t a = 0; a < D; ++a) grad[a] = other.motion[D] * L::load(gradient[a] + at);
+        if constexpr (Symmetrised) symmetrise<D>(records, row, tile.neighbour + k, grad);
+        for (int c = 0; c < symmetric_components<D>; ++c) tensor[c] = L(0.5) * (own.traction[c] + other.traction[c]);
+        for (int a = 0; a < D; ++a) {
+          x_ji[a] = other_place[a] - place[a];
+          closing += (own.motion[a] - other.motion[a]) * x_ji[a];
+          mean[a] = L(0.5) * (own.motion[a] + other.motion[a]);
         }
-        force[a] += pull;
-        work += pull * (L(0.5) * (own.motion[a] + other.motion[a]) + excess.velocity * n[a]);
+        apply_packed<D>(tensor, grad, pull);
+        for (int a = 0; a < D; ++a) total.force[a] += pull[a];
+        total.work += dot<D>(pull, mean);
+        const auto meets = L(0.0) < min(closing, dot<D>(grad, grad));  // approaches, and in reach
+        if (!any(meets)) continue;
+        if constexpr (D == 1) {
+          load_rest<D, Reconstructs>(records, tile.neighbour + k, other);
+          grad[0] = select(meets, grad[0], L(0.0));
+          add_excess<D, Reconstructs>(own, other, x_ji, grad, total);
+        } else {
+          approaching.add(tile.neighbour + k, x_ji, grad, meets);
+        }
       }
+      if (approaching.count == 0) continue;
+      approaching.pad(padding);
+      add_excesses<D, Reconstructs>(records, approaching, own, total);
     }
     const int local = i - tile.begin;
     const double scale = 2.0 / records.response[row][response_density];
-    sums.power[local] += scale * work.sum();
+    sums.power[local] += scale * total.work.sum();
     for (int a = 0; a < D; ++a) {
-      sums.acceleration[local * D + a] += scale * force[a].sum();
-      for (int b = 0; b < D; ++b) sums.star_gradient[(local * D + a) * D + b] += 2.0 * star_gradient[a][b].sum();
+      sums.acceleration[local * D + a] += scale * total.force[a].sum();
+      for (int b = 0; b < D; ++b) sums.star_gradient[(local * D + a) * D + b] += 2.0 * total.star_gradient[a][b].sum();
     }
   });
 }

@@ -28,71 +28,57 @@ struct StarState {
   Number stress;    // Pa
 };
 
-/// exp(x) - 1, relative error x^6 / 5040; not finite where x is not.
+/// exp(x) - 1, relative error x^3 / 24: what is strained until yield, x of Y/G at most, is far less certain in itself
+/// where waves run at the speeds ahead of them. Not finite where x is not.
 template <class Number>
 ANVIL_INLINE Number exp_minus_one(const Number& x) {
-  const Number inner = Number(1.0 / 24.0) + x * (Number(1.0 / 120.0) + x * Number(1.0 / 720.0));
-  return x * (Number(1.0) + x * (Number(0.5) + x * (Number(1.0 / 6.0) + x * inner)));
+  return x * (Number(1.0) + x * (Number(0.5) + x * Number(1.0 / 6.0)));
 }
 
-/// Momentum through both waves: +-rho c (u* - u) = +-(sigma* - sigma).
+/// What is left of a side behind its elastic precursor, if there is one: where an elastic trial would pass the yield
+/// surface.
 template <class Number>
-ANVIL_INLINE StarState<Number> acoustic_star(const RiemannSide<Number>& left, const Number& left_impedance,
-                                             const RiemannSide<Number>& right, const Number& right_impedance) {
-  const Number inverse = Number(1.0) / (left_impedance + right_impedance);
-  const Number closing = left.velocity - right.velocity;
-  return {(left_impedance * left.velocity + right_impedance * right.velocity - (left.stress - right.stress)) * inverse,
-          (right_impedance * left.stress + left_impedance * right.stress - left_impedance * right_impedance * closing) *
-              inverse};
-}
-
-/// An elastic wave ahead of a plastic one, where the trial passes the yield surface.
-template <class Number, class Mask>
-struct Precursor {
-  Mask yields;
-  Number strain;  // of volume, zero where the side stays elastic
+struct BehindPrecursor {
+  Number velocity;   // m/s
+  Number stress;     // Pa
+  Number volume;     // over that ahead
+  Number impedance;  // times that volume: of the wave that follows
 };
 
-/// The strain of a precursor brings the deviator to the yield surface, dS = 4 G/3 ln(rho/rho*). Direction +1 on the
-/// left side, -1 on the right one: the material between a left-going wave and the contact is compressed when u* < u.
+/// `trial` is rho c_E of both sides together times the velocity an elastic wave would bring, kg/(m s2), positive where
+/// it stretches. A precursor strains by what takes the deviator to the yield surface, dS = 4 G/3 ln(rho/rho*).
+/// Direction +1 on the left side, -1 on the right one: the material left of the contact is compressed when u* < u.
 template <class Number>
-ANVIL_INLINE auto precursor_of(const RiemannSide<Number>& side, const Number& star, double direction) {
-  const Number trial = Number(direction) * (star - side.velocity) * side.inverse_elastic_speed;
+ANVIL_INLINE BehindPrecursor<Number> behind_precursor(const RiemannSide<Number>& side, const Number& trial,
+                                                      const Number& both_impedances, double direction) {
   const Number surface = select(trial < Number(0.0), -side.limit, side.limit);
-  const Number strain = exp_minus_one((surface - side.deviator) * side.inverse_shear);
-  const auto yields = max(strain, -strain) < max(trial, -trial);
-  return Precursor<Number, decltype(yields)>{yields, select(yields, strain, Number(0.0))};
-}
-
-/// The side behind its precursor: velocity and stress.
-template <class Number>
-ANVIL_INLINE RiemannSide<Number> behind_precursor(const RiemannSide<Number>& side, const Number& strain,
-                                                  double direction) {
-  RiemannSide<Number> behind = side;
-  behind.velocity += Number(direction) * side.elastic_speed * strain;
-  behind.stress += side.density * side.elastic_speed * side.elastic_speed * strain;
-  return behind;
+  const Number to_yield = exp_minus_one((surface - side.deviator) * side.inverse_shear);
+  const auto yields = max(to_yield, -to_yield) * both_impedances < max(trial, -trial) * side.inverse_elastic_speed;
+  const Number strain = select(yields, to_yield, Number(0.0));
+  const Number change = side.elastic_speed * strain;
+  return {side.velocity + Number(direction) * change, side.stress + side.density * side.elastic_speed * change,
+          Number(1.0) + strain, side.density * select(yields, side.plastic_speed, side.elastic_speed)};
 }
 
 /// HLLC for elastic-perfectly plastic solids in Lagrangian coordinates: waves at the acoustic speeds of the two sides.
 /// An elastic trial; where its deviator passes the yield limit, the elastic precursor is taken off and what is left
 /// runs at the plastic speed. Exact in the limit of weak waves; a strong shock is underestimated by about its Mach
-/// number's excess over one.
+/// number's excess over one. Momentum through both waves, +-Z (u* - u) = +-(sigma* - sigma), with Z = impedance over
+/// volume: the volumes are multiplied out, so that one quotient serves all.
 template <class Number>
 ANVIL_INLINE StarState<Number> hllc_star(const RiemannSide<Number>& left, const RiemannSide<Number>& right) {
+  const Number parting = right.velocity - left.velocity, pull = right.stress - left.stress;
   const Number left_impedance = left.density * left.elastic_speed;
   const Number right_impedance = right.density * right.elastic_speed;
-  const StarState<Number> trial = acoustic_star(left, left_impedance, right, right_impedance);
-  const auto left_wave = precursor_of(left, trial.velocity, 1.0),
-             right_wave = precursor_of(right, trial.velocity, -1.0);
-  if (!any(left_wave.yields) && !any(right_wave.yields)) return trial;
-  const Number left_volume = Number(1.0) + left_wave.strain, right_volume = Number(1.0) + right_wave.strain;
-  const Number inverse = Number(1.0) / (left_volume * right_volume);  // one quotient for both densities
-  const Number left_plastic = left.density * right_volume * inverse * left.plastic_speed;
-  const Number right_plastic = right.density * left_volume * inverse * right.plastic_speed;
-  return acoustic_star(
-      behind_precursor(left, left_wave.strain, 1.0), select(left_wave.yields, left_plastic, left_impedance),
-      behind_precursor(right, right_wave.strain, -1.0), select(right_wave.yields, right_plastic, right_impedance));
+  const Number both = left_impedance + right_impedance;
+  const auto l = behind_precursor(left, right_impedance * parting + pull, both, 1.0);
+  const auto r = behind_precursor(right, left_impedance * parting - pull, both, -1.0);
+  const Number left_weight = l.impedance * r.volume, right_weight = r.impedance * l.volume;
+  const Number inverse = Number(1.0) / (left_weight + right_weight);
+  return {
+      (left_weight * l.velocity + right_weight * r.velocity + l.volume * r.volume * (r.stress - l.stress)) * inverse,
+      (right_weight * l.stress + left_weight * r.stress + l.impedance * r.impedance * (r.velocity - l.velocity)) *
+          inverse};
 }
 
 }  // namespace anvil

@@ -14,7 +14,8 @@
 namespace anvil {
 namespace {
 
-void run_steps(benchmark::State& state, const std::string& scene, double start, std::vector<std::string> overrides) {
+void run_steps(benchmark::State& state, const std::string& scene, double start,
+               const std::vector<std::string>& overrides) {
   const int before = thread_count();
   set_thread_count(1);
   const auto simulation = make_simulation(read_scene(locate_scene(scene), overrides));

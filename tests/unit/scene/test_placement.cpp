@@ -42,6 +42,7 @@ BodyDescription ring(const std::vector<double>& centre, double inner, double out
                           {"inner_radius", inner},
                           {"outer_radius", outer},
                           {"sector", std::string("full")},
+                          {"opening", 0.0},
                           {"angle", 0.0}});
 }
 BodyDescription shell(const std::string& lattice, const std::string& sector, double angle = 0.0) {
@@ -203,6 +204,30 @@ TEST(Sectors, HoldTheirPartOfTheRing) {
       }
     }
   }
+}
+
+/// A twelfth of a quarter.
+TEST(Sectors, OpenAsFarAsAWedgeAsks) {
+  const double opening = pi / 24.0;
+  for (const std::string lattice : {"cubic", "concentric"}) {
+    auto body = shell(lattice, "wedge");
+    body.shape.parameters.set("opening", opening);
+    const auto wedge = place_body<2>(body, 0.2e-3);
+    const double area = 0.5 * opening * (0.1 * 0.1 - 0.08 * 0.08);
+    EXPECT_NEAR(total_volume(wedge), area, (lattice == "cubic" ? 0.02 : 1e-12) * area);
+    for (const auto& position : wedge.positions) {
+      const Vec<2> arm = position - Vec<2>(0.3, -0.2);
+      EXPECT_GT(arm[1], 0.0);
+      EXPECT_LT(std::atan2(arm[1], arm[0]), opening);
+    }
+  }
+  auto body = shell("concentric", "wedge");
+  EXPECT_THROW(place_body<2>(body, 1e-3), InputError);  // of no opening
+  body.shape.parameters.set("opening", 2.0);
+  EXPECT_THROW(place_body<2>(body, 1e-3), InputError);
+  body = shell("concentric", "quarter");
+  body.shape.parameters.set("opening", 0.5);
+  EXPECT_THROW(place_body<2>(body, 1e-3), InputError);
 }
 
 TEST(Rings, AreTurnedByTheirAngle) {

@@ -13,6 +13,11 @@ namespace {
 
 constexpr double start_energy = 1.4401e6;  // J/m
 
+/// Of be_shell_quarter.
+const std::vector<std::string> wedge_of_15_degrees = {
+    "body.shell.shape.sector=wedge", "body.shell.shape.opening=0.26179938779914941",
+    "boundary.left.normal=[0.25881904510252074, -0.96592582628906831]"};
+
 struct Collapse {
   Scene scene;
   std::unique_ptr<Simulation> simulation;
@@ -74,6 +79,15 @@ TEST(BeShell, StopsThereInAFineQuarter) {
   expect_stop(collapse.run(130e-6), 0.001, start_deviation);
 }
 
+/// A hundred of them.
+TEST(BeShell, StopsThereInAFinerWedge) {
+  if (std::getenv("ANVIL_LONG_TESTS") == nullptr) GTEST_SKIP() << "takes some minutes: set ANVIL_LONG_TESTS=1";
+  std::vector<std::string> overrides = wedge_of_15_degrees;
+  overrides.emplace_back("discretisation.spacing=0.2e-3");
+  Collapse collapse(overrides, "be_shell_quarter");
+  expect_stop(collapse.run(130e-6), 0.001, start_deviation);
+}
+
 /// Momentum and energy to round-off, whatever the shape does.
 TEST(BeShell, KeepsItsEnergyWithConservativePairs) {
   for (const std::string gradient : {"plain", "symmetrised"}) {
@@ -119,6 +133,18 @@ TEST(BeShell, HasTheAnswerOfTheRingInAQuarter) {
                 1e-3 * start_energy)
         << gradient;
   }
+}
+
+/// So do two planes that meet in the middle at an angle of 15 degrees, far from all particles.
+TEST(BeShell, HasTheAnswerOfTheRingInAWedge) {
+  Collapse full, wedge(wedge_of_15_degrees, "be_shell_quarter");
+  Frame full_frame, wedge_frame;
+  const Shell one = shell_at_end(full.run(50e-6), full_frame);
+  const Shell other = shell_at_end(wedge.run(50e-6), wedge_frame);
+  EXPECT_NEAR(other.inner_radius(), one.inner_radius(), 0.001 * one.inner_radius());
+  EXPECT_NEAR(other.outer_radius(), one.outer_radius(), 0.001 * one.outer_radius());
+  EXPECT_NEAR(24.0 * audited(*wedge.simulation, "kinetic_energy"), audited(*full.simulation, "kinetic_energy"),
+              1e-3 * start_energy);
 }
 
 /// Turned by an angle: the same positions, turned, up to round-off that the motion of a crystal of particles amplifies.
