@@ -78,7 +78,8 @@ TEST(WallSurface, KeepsItsDistanceAroundABend) {
   }
 }
 
-/// From an end round a bend to a corner, and from a corner round a bend to an end: the mould's first piece and its last.
+/// From an end round a bend to a corner, and from a corner round a bend to an end: the mould's first piece and its
+/// last.
 TEST(WallSurface, KeepsItsDistanceAroundABendBesideACorner) {
   const double radius = 40e-3;
   Points path = {{0.0, -radius}};

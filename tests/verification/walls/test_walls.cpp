@@ -76,8 +76,8 @@ TEST(StillWater, StaysAtRestInABox) {
 // half a diagonal's distance from the slopes. Where a lattice leaves gaps there, of a few percent of the volume, the
 // water spreads into them, and its pressure errs by some seven times as much (docs/walls.md).
 TEST(StillWater, StaysAtRestInAWedge) {
-  const auto water = make_simulation(still_water(
-      "[[-1.2, 1.2], [0, 0], [1.2, 1.2]]", "{ type = \"polygon\", points = [[0, 0], [0.975, 1], [-0.975, 1]] }"));
+  const auto water = make_simulation(still_water("[[-1.2, 1.2], [0, 0], [1.2, 1.2]]",
+                                                 "{ type = \"polygon\", points = [[0, 0], [0.975, 1], [-0.975, 1]] }"));
   run_to(*water, 4.0);
   const Frame frame = water->frame();
   EXPECT_LT(pressure_error(frame, 0.05), 0.02);
