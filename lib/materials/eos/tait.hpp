@@ -54,11 +54,11 @@ class TaitEos {
   /// B / rho0 ((x^(gamma - 1) - 1) / (gamma - 1) + 1 / x - 1) with x = rho / rho0; what opens takes up no more than
   /// the work of the tension.
   ANVIL_INLINE double cold_energy(double density) const {
-    if (density < opening_density_)
-      return cold_energy(opening_density_) + least_pressure_ * (1.0 / opening_density_ - 1.0 / density);
-    const double log_x = log_compression(density), power = exponent_ - 1.0;
+    const double closed = std::max(density, opening_density_);
+    const double opening = closed > density ? least_pressure_ * (1.0 / closed - 1.0 / density) : 0.0;
+    const double log_x = log_compression(closed), power = exponent_ - 1.0;
     const double stored = power == 0.0 ? log_x : std::expm1(power * log_x) / power;
-    return stiffness_ / reference_density_ * (stored + std::expm1(-log_x));
+    return stiffness_ / reference_density_ * (stored + std::expm1(-log_x)) + opening;
   }
 
  private:
