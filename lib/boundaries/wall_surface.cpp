@@ -45,7 +45,7 @@ class Path {
 };
 
 /// Points along a row between two corners, each of which holds one point, or ends, which lie half a spacing beyond the
-/// last point. The point of the corner at the end is left to the row that begins there.
+/// last point. The point of the corner at the end is left to the row that begins there. Ascending.
 std::vector<double> distances_along(double length, bool from_corner, bool to_corner, double spacing) {
   std::vector<double> places;
   if (from_corner == to_corner) {
@@ -56,6 +56,7 @@ std::vector<double> distances_along(double length, bool from_corner, bool to_cor
   const double end = length - (0.5 - 1e-6) * spacing;
   for (double m = from_corner ? 0.0 : 1.0; m * spacing <= end; m += 1.0)
     places.push_back(from_corner ? m * spacing : length - m * spacing);
+  if (!from_corner) std::reverse(places.begin(), places.end());
   return places;
 }
 

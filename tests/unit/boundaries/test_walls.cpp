@@ -78,6 +78,31 @@ TEST(WallSurface, KeepsItsDistanceAroundABend) {
   }
 }
 
+/// From an end round a bend to a corner, and from a corner round a bend to an end: the mould's first piece and its
+/// last.
+TEST(WallSurface, KeepsItsDistanceAroundABendBesideACorner) {
+  const double radius = 40e-3;
+  Points path = {{0.0, -radius}};
+  for (int k = -22; k <= 0; ++k) {
+    const double angle = 0.5 * std::numbers::pi * k / 23;
+    path.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  path.push_back({0.0, 0.0});
+  for (const bool backwards : {false, true}) {
+    Points drawn = path;
+    if (backwards) std::reverse(drawn.begin(), drawn.end());
+    const auto points = WallSurface<2>(path_keys(drawn)).rows(spacing, 0.5, 3);
+    int beside_the_bend = 0;
+    for (const auto& point : points) {
+      const double beyond = point.position.norm() - radius, off = (point.row + 0.5) * spacing;
+      if (point.position[1] > -4e-3 || point.position[0] < 4e-3) continue;
+      EXPECT_NEAR(beyond, backwards ? -off : off, 0.05 * spacing);
+      ++beside_the_bend;
+    }
+    EXPECT_GT(beside_the_bend, 140);  // 3 rows of 53
+  }
+}
+
 TEST(WallSurface, CountsWaysThroughItFromTheSideOfTheParticles) {
   const WallSurface<2> wall(path_keys({{0.0, 5e-3}, {0.0, 0.0}, {8e-3, 0.0}}));
   EXPECT_TRUE(wall.crossed(Vec<2>(4e-3, 1e-4), Vec<2>(4e-3, -1e-4)));

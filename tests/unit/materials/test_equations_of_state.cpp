@@ -108,6 +108,24 @@ TEST(LinearEos, HasThePressureAndStoredEnergyOfItsFormula) {
   EXPECT_NEAR(8930.0 * copper.cold_energy(8930.0 * (1.0 + strain)), 0.5 * 130e9 * strain * strain, 0.5 * 130e9 * 2e-18);
 }
 
+/// Beyond the limit the liquid opens: its tension stays, and the energy is the work of that.
+TEST(TaitEos, OpensAtItsTensionLimit) {
+  Parameters parameters;
+  parameters.set("stiffness", 1e6);
+  parameters.set("exponent", 7.0);
+  const TaitEos endless(parameters, 1000.0);
+  parameters.set("tension_limit", 1e4);
+  const TaitEos limited(parameters, 1000.0);
+  EXPECT_EQ(limited.pressure(999.0, 0.0), endless.pressure(999.0, 0.0));  // -7 kPa
+  EXPECT_EQ(limited.cold_energy(999.0), endless.cold_energy(999.0));
+  EXPECT_EQ(limited.pressure(500.0, 0.0), -1e4);
+  EXPECT_NEAR(endless.pressure(500.0, 0.0), -1e6 * (1.0 - std::pow(0.5, 7.0)), 1e-6);
+  EXPECT_NEAR(limited.cold_energy(400.0) - limited.cold_energy(500.0), 1e4 * (1.0 / 400.0 - 1.0 / 500.0), 1e-12);
+  const double opening = 1000.0 * std::pow(0.99, 1.0 / 7.0);
+  EXPECT_NEAR(limited.cold_energy(opening * (1.0 - 1e-9)), endless.cold_energy(opening), 1e-7);
+  EXPECT_EQ(limited.bulk_sound_speed_squared(500.0, 0.0), endless.bulk_sound_speed_squared(500.0, 0.0));
+}
+
 TEST(StiffenedGas, HasThePressureOfItsFormula) {
   Parameters parameters;
   parameters.set("sound_speed", 5380.0);
