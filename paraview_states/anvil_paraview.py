@@ -180,8 +180,13 @@ def draw_series(display, x, names):
     display.SeriesPlotCorner = [text for name in names for text in (name, "0")]
 
 
-def show_history(path, beside, names, y_title, share=0.62):
-    """Columns of the history.csv beside the .pvd at `path` in a chart of their own; None when there is no history."""
+ENERGIES = {"kinetic_energy": "kinetic", "elastic_energy": "elastic", "internal_energy": "internal",
+            "plastic_work": "plastic work", "total_energy": "total"}
+
+
+def show_history(path, beside, names, quantity, share=0.62):
+    """Columns of the history.csv beside the .pvd at `path` in a chart of their own, named without their unit, which the
+    axis gives after the `quantity`; None when there is no history."""
     file = path.parent / "history.csv"
     if not file.is_file():
         return None
@@ -189,18 +194,16 @@ def show_history(path, beside, names, y_title, share=0.62):
     history.UpdatePipeline()
     with file.open(newline="") as lines:
         rows = list(csv.DictReader(lines))
-    shown = {name: label for name, label in names.items() if name in rows[0]}
-    chart = add_chart(beside, "History", "time (s)", y_title, share)
+    columns = {title.split(" [")[0]: title for title in rows[0]}
+    shown = {columns[name]: label for name, label in names.items() if name in columns}
+    unit = next(iter(shown)).split(" [")[-1].rstrip("]").replace("m2", "m²")
+    chart = add_chart(beside, "History", "time (s)", f"{quantity} ({unit})", share)
     # Room for the legend above the curves.
     values = [float(row[name]) for row in rows for name in shown]
     chart.LeftAxisUseCustomRange = 1
     chart.LeftAxisRangeMinimum, chart.LeftAxisRangeMaximum = min(0.0, *values), 1.35 * max(values)
     draw_series(Show(history, chart, "XYChartRepresentation"), "time [s]", shown)
     return chart
-
-
-ENERGIES = {"kinetic_energy [J]": "kinetic", "elastic_energy [J]": "elastic", "internal_energy [J]": "internal",
-            "plastic_work [J]": "plastic work", "total_energy [J]": "total"}
 
 
 def show_flat_bodies(path, choices, *time_unit):
@@ -214,7 +217,7 @@ def show_flat_bodies(path, choices, *time_unit):
     look_at_plane(view, bounds)
     color_by(spheres, view, array, component, colors, 0.0, rounded_up(largest), title)
     show_time(particles, view, *time_unit)
-    show_history(path, view, ENERGIES, "energy (J/m)")
+    show_history(path, view, ENERGIES, "energy")
     return view
 
 

@@ -42,5 +42,5 @@ anvil.look_at_plane(view, [x_min, x_max, 0.0, 0.0])
 view.CameraParallelScale = 0.13 * (x_max - x_min)  # a wide, low view
 view.OrientationAxesVisibility = 0
 profile = show_profile(particles, view)
-anvil.show_history(path, profile, anvil.ENERGIES, "energy (J/m²)", 0.5)
+anvil.show_history(path, profile, anvil.ENERGIES, "energy", 0.5)
 anvil.finish(view, ARGUMENTS)

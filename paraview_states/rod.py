@@ -57,5 +57,5 @@ anvil.color_by(spheres, view, "plastic_strain", None, anvil.STRAIN, 0.0, anvil.r
 anvil.show_time(particles, view)
 aim(view)
 show_wall(particles, view)
-anvil.show_history(path, view, anvil.ENERGIES, "energy (J)")
+anvil.show_history(path, view, anvil.ENERGIES, "energy")
 anvil.finish(view, ARGUMENTS)

@@ -4,6 +4,7 @@
 #include <vtkAppendPolyData.h>
 #include <vtkClipPolyData.h>
 #include <vtkCutter.h>
+#include <vtkDoubleArray.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
 #include <vtkImplicitBoolean.h>
@@ -16,6 +17,7 @@
 #include <vtkWindowedSincPolyDataFilter.h>
 
 #include <cmath>
+#include <vector>
 
 #include "anvil/core/error.hpp"
 
@@ -25,8 +27,29 @@ namespace {
 constexpr const char* fullness = "fullness";  // 1 inside, 0 outside
 constexpr double half_full = 0.5;
 constexpr double largest_grid = 1e8;  // nodes: about 2 GB
+constexpr const char* volume = "volume";
+constexpr const char* one = "one";
 constexpr const char* colors = "colored_by";
 constexpr double smoothing_ratio = 1.1;  // h / spacing: bridges the gaps between stretched rows of particles
+
+void add_array(vtkPolyData& points, const char* name, const std::vector<double>& values) {
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfTuples(points.GetNumberOfPoints());
+  for (vtkIdType i = 0; i < points.GetNumberOfPoints(); ++i)
+    array->SetValue(i, values[values.size() == 1 ? 0 : static_cast<std::size_t>(i)]);
+  points.GetPointData()->AddArray(array);
+}
+
+/// VTK takes volumes as masses over densities; without them it takes cubes of the smoothing length, too much.
+vtkSmartPointer<vtkPolyData> with_volumes(const DrawnParticles& particles) {
+  auto points = vtkSmartPointer<vtkPolyData>::New();
+  points->ShallowCopy(particles.points);
+  add_array(*points, volume,
+            particles.volumes.empty() ? std::vector<double>{std::pow(particles.spacing, 3.0)} : particles.volumes);
+  add_array(*points, one, {1.0});
+  return points;
+}
 
 vtkSmartPointer<vtkPolyData> make_closed_surface(vtkDataSet* filling) {
   vtkNew<vtkFlyingEdges3D> contour;
@@ -115,7 +138,9 @@ vtkSmartPointer<vtkDataSet> make_filling(const DrawnParticles& particles) {
   kernel->SetSpatialStep(smoothing_ratio * particles.spacing);
   vtkNew<vtkSPHInterpolator> interpolator;
   interpolator->SetInputData(grid);
-  interpolator->SetSourceData(particles.points);
+  interpolator->SetSourceData(with_volumes(particles));
+  interpolator->SetMassArrayName(volume);
+  interpolator->SetDensityArrayName(one);
   interpolator->SetKernel(kernel);
   interpolator->SetComputeShepardSum(true);
   interpolator->SetShepardSumArrayName(fullness);

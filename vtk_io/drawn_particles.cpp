@@ -33,8 +33,8 @@ void add_vertices(vtkPolyData& points) {
   points.SetVerts(vertices);
 }
 
-/// Boxes around the initial positions of each body; particles reach half a spacing beyond their centres.
-std::vector<vtkBoundingBox> undeformed_boxes(const Frame& frame, vtkDataArray* initial, double spacing) {
+/// Boxes around the initial positions of each body, whose faces are `beyond` the outermost of them.
+std::vector<vtkBoundingBox> undeformed_boxes(const Frame& frame, vtkDataArray* initial, double beyond) {
   const FrameArray* bodies = frame.find("body");
   std::map<int, vtkBoundingBox> boxes;
   for (vtkIdType i = 0; i < initial->GetNumberOfTuples(); ++i) {
@@ -43,10 +43,21 @@ std::vector<vtkBoundingBox> undeformed_boxes(const Frame& frame, vtkDataArray* i
   }
   std::vector<vtkBoundingBox> inflated;
   for (auto& [body, box] : boxes) {
-    box.Inflate(spacing / 2);
+    box.Inflate(beyond);
     inflated.push_back(box);
   }
   return inflated;
+}
+
+/// In mm3; none where the frame has no masses.
+std::vector<double> volumes_of(const Frame& frame) {
+  const FrameArray* mass = frame.find("mass");
+  const FrameArray* density = frame.find("density");
+  if (mass == nullptr || density == nullptr) return {};
+  std::vector<double> volumes;
+  for (std::size_t i = 0; i < frame.particle_count(); ++i)
+    volumes.push_back(std::pow(millimetres, 3.0) * mass->values[i] / density->values[i]);
+  return volumes;
 }
 
 }  // namespace
@@ -57,15 +68,20 @@ vtkBoundingBox drawn_box(const std::array<double, 6>& box) {
   return vtkBoundingBox(drawn.data());
 }
 
-DrawnParticles make_drawn_particles(const Frame& frame, const std::vector<double>& colored_by) {
+vtkSmartPointer<vtkPolyData> make_points(const std::vector<double>& positions) {
+  auto drawn = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetData(make_lengths(positions));
+  drawn->SetPoints(points);
+  add_vertices(*drawn);
+  return drawn;
+}
+
+DrawnParticles make_drawn_particles(const Frame& frame, const std::vector<double>& colored_by, bool on_faces) {
   if (!std::all_of(frame.positions.begin(), frame.positions.end(), [](double x) { return std::isfinite(x); }))
     throw InputError("the frame holds positions that are not numbers: the run went wrong before it");
   DrawnParticles particles;
-  particles.points = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetData(make_lengths(frame.positions));
-  particles.points->SetPoints(points);
-  add_vertices(*particles.points);
+  particles.points = make_points(frame.positions);
 
   vtkNew<vtkDoubleArray> colors;
   colors->SetName("colored_by");
@@ -79,7 +95,9 @@ DrawnParticles make_drawn_particles(const Frame& frame, const std::vector<double
   particles.points->GetPointData()->AddArray(reference);
   const double spacing = usual_spacing(initial == nullptr ? frame.positions : initial->values, frame.dimension);
   particles.spacing = spacing > 0.0 ? millimetres * spacing : 1.0;
-  if (initial != nullptr) particles.undeformed = undeformed_boxes(frame, reference, particles.spacing);
+  if (initial != nullptr)
+    particles.undeformed = undeformed_boxes(frame, reference, on_faces ? 0.0 : particles.spacing / 2);
+  particles.volumes = volumes_of(frame);
   return particles;
 }
 

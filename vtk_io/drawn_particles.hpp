@@ -16,14 +16,18 @@ namespace anvil {
 struct DrawnParticles {
   vtkSmartPointer<vtkPolyData> points;     // one vertex each, coloured by its point scalars
   double spacing = 1.0;                    // between neighbours before the deformation
+  std::vector<double> volumes;             // mm3; empty: cubes of the spacing
   std::vector<vtkBoundingBox> undeformed;  // of each body, faces included; empty without initial_position
 };
 
 /// A box in metres (x low, x high, y low, ...) as it is drawn.
 vtkBoundingBox drawn_box(const std::array<double, 6>& box);
 
-/// Throws InputError when a position is not finite.
-DrawnParticles make_drawn_particles(const Frame& frame, const std::vector<double>& colored_by);
+/// A vertex at each of `positions`, 3 numbers each, m.
+vtkSmartPointer<vtkPolyData> make_points(const std::vector<double>& positions);
+
+/// `on_faces`: as in RenderOptions. Throws InputError when a position is not finite.
+DrawnParticles make_drawn_particles(const Frame& frame, const std::vector<double>& colored_by, bool on_faces = false);
 
 /// The quarter of a body that is cut away: the edge runs along z, two planes bound it.
 struct Quarter {

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 #include "anvil/figures/text_width.hpp"
 #include "anvil/figures/ticks.hpp"
@@ -67,10 +68,44 @@ vtkSmartPointer<vtkPolyData> make_color_stack(vtkLookupTable* colors, const std:
   return stack;
 }
 
+/// With line breaks instead of spaces where a line would be wider than `room` pixels.
+std::string wrapped(const std::string& text, double room, int height) {
+  std::string lines;
+  std::string line;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(" \n", begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    if (!line.empty() && text_width(line + " " + word, height) > room) {
+      lines += line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+    if (end < text.size() && text[end] == '\n') {
+      lines += line + "\n";
+      line.clear();
+    }
+    begin = end + 1;
+  }
+  return lines + line;
+}
+
 void add_line(vtkPolyData& lines, double x0, double y0, double x1, double y1) {
   const vtkIdType a = lines.GetPoints()->InsertNextPoint(x0, y0, 0.0);
   const vtkIdType b = lines.GetPoints()->InsertNextPoint(x1, y1, 0.0);
   lines.GetLines()->InsertNextCell({a, b});
+}
+
+void add_bar_label(vtkRenderer* renderer, const std::string& label, const std::array<double, 2>& at, int height) {
+  constexpr double share = 0.14;  // of the width of the picture: views leave that free
+  const int* size = renderer->GetRenderWindow()->GetSize();
+  const std::string lines = wrapped(label, share * size[0], height);
+  double widest = 0.0;
+  std::istringstream stream(lines);
+  for (std::string line; std::getline(stream, line);) widest = std::max(widest, text_width(line, height));
+  const double fitting = std::min(1.0, share * size[0] / widest);  // a word, or an expression, may be longer
+  const auto count = static_cast<double>(1 + std::count(lines.begin(), lines.end(), '\n'));
+  const double middle = at[1] + 0.6 * count * height / size[1];
+  add_text(renderer, lines, {at[0], middle}, std::max(6, static_cast<int>(fitting * height)), VTK_TEXT_RIGHT);
 }
 
 }  // namespace
@@ -119,7 +154,7 @@ void add_color_bar(vtkRenderer* renderer, vtkLookupTable* colors, const std::str
     add_text(renderer, number.data(), {right + 2 * tick, y}, height, VTK_TEXT_LEFT);
   }
   renderer->AddActor2D(make_drawing(lines, nullptr));
-  add_text(renderer, label, {0.985, top + 0.06}, height, VTK_TEXT_RIGHT);
+  add_bar_label(renderer, label, {0.985, top + 0.03}, height);
 }
 
 void add_title(vtkRenderer* renderer, const std::string& text, const std::array<double, 2>& at, double width,

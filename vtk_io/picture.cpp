@@ -50,11 +50,12 @@ SelectedField colored_by(const Frame& frame, const RenderOptions& options) {
                                        : std::nullopt);
 }
 
-Picture make_picture(const Frame& frame, const RenderOptions& options) {
+Picture make_picture(const FrameParts& parts, const RenderOptions& options) {
+  const Frame& frame = parts.bodies;
   const SelectedField field = colored_by(frame, options);
   Picture picture;
-  // 32 pixels in a picture of 1200, so that it can be read at half its size.
-  picture.font_height = std::max(9, options.size[1] * 32 / 1200);
+  // 36 pixels in a picture of 1600 x 1200, so that it can be read at half its size.
+  picture.font_height = std::max(9, std::max(options.size[1], options.size[0] * 3 / 4) * 36 / 1200);
   picture.window = make_window(options.size, options.background);
   vtkRenderer* canvas = background_of(picture.window);
   if (options.field == "body") {
@@ -64,8 +65,13 @@ Picture make_picture(const Frame& frame, const RenderOptions& options) {
     picture.colors = make_color_map(options.color_map, range_of(field, options.range, extremes));
     add_color_bar(canvas, picture.colors, field.label, color_bar, picture.font_height);
   }
-  picture.particles = make_drawn_particles(frame, field.values);
+  picture.particles = make_drawn_particles(frame, field.values, options.on_faces);
   picture.shown = box_of(picture.particles);
+  if (options.on_faces) picture.shown.Inflate(-picture.particles.spacing / 2);
+  if (!parts.wall_positions.empty()) {
+    picture.wall_particles = make_points(parts.wall_positions);
+    picture.shown.AddBounds(picture.wall_particles->GetBounds());
+  }
   for (const auto& box : picture.particles.undeformed) picture.shown.AddBox(box);
   if (options.series && options.series->bounds) picture.shown.AddBox(drawn_box(*options.series->bounds));
   const int title_height = picture.font_height * 6 / 5;

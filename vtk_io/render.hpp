@@ -52,6 +52,11 @@ struct RenderOptions {
   bool outline = true;
   /// Radius of a particle in shares of their spacing; 0: what closes the gaps between them.
   double glyph_radius = 0.0;
+  /// Particles of the body of this number and of later ones are those of walls: grey, and without part in the range of
+  /// colours. Absent: there are none.
+  std::optional<int> first_wall;
+  /// The particles of the bodies began on their faces (face_lattice), not half a spacing inside.
+  bool on_faces = false;
   /// Where a section is; absent: through the middle of the bodies, across y. Only in three dimensions.
   std::optional<Plane> section;
   /// Rigid walls, as the scene has them; none by default. Each fills the half space against its normal.
@@ -75,11 +80,11 @@ struct ColorMapName {
 std::vector<ColorMapName> color_map_names();
 
 /// Makes the extent of a series cover one more frame. Throws InputError when the field does not exist.
-void include_frame(SeriesExtent& series, const Frame& frame, const RenderOptions& options);
+void include_frame(SeriesExtent& series, Frame frame, const RenderOptions& options);
 
 /// Draws a frame off-screen into a PNG file, which appears under its name only when complete. Throws InputError when
 /// the field does not exist, the frame does not suit the view or an option makes no sense, MissingResourceError without
 /// a way to draw (X server, font) or to write.
-void render_frame(const Frame& frame, const RenderOptions& options, const std::filesystem::path& png);
+void render_frame(Frame frame, const RenderOptions& options, const std::filesystem::path& png);
 
 }  // namespace anvil

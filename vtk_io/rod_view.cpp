@@ -17,7 +17,7 @@ Quarter nearest_quarter(const DrawnParticles& particles, const Direction& view_d
 
 class RodView {
  public:
-  RodView(const Frame& frame, const RenderOptions& options)
+  RodView(const FrameParts& frame, const RenderOptions& options)
       : options_(options), picture_(make_picture(frame, options)) {
     if (options.surface) filling_ = make_filling(picture_.particles);
   }
@@ -25,6 +25,7 @@ class RodView {
   void add(const std::array<double, 4>& part, const std::optional<Quarter>& cut_away) {
     const auto view = add_view(picture_.window, part);
     add_body(view, cut_away);
+    add_wall_particles(view, picture_.wall_particles, 0.12 * picture_.particles.spacing);
     add_surroundings(view, picture_.particles, options_, picture_.shown, picture_.font_height * 4 / 5);
   }
 
@@ -49,7 +50,7 @@ class RodView {
 
 }  // namespace
 
-void render_rod(const Frame& frame, const RenderOptions& options, const std::filesystem::path& png) {
+void render_rod(const FrameParts& frame, const RenderOptions& options, const std::filesystem::path& png) {
   RodView rod(frame, options);
   if (options.cut) {
     const double middle = 0.5 * view_part[2];

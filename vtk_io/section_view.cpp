@@ -43,9 +43,10 @@ std::optional<Plane> trace_of(const Plane& wall, const SampleGrid& plane) {
 
 }  // namespace
 
-void render_section(const Frame& frame, const RenderOptions& options, const std::filesystem::path& png) {
+void render_section(const FrameParts& parts, const RenderOptions& options, const std::filesystem::path& png) {
+  const Frame& frame = parts.bodies;
   if (frame.dimension < 2) throw InputError("a section needs two dimensions or more: use anvil plot");
-  const Picture picture = make_picture(frame, options);
+  const Picture picture = make_picture(parts, options);
   constexpr double metres = 1e-3;
   const double spacing = metres * picture.particles.spacing;
   const auto box = box_around(frame.positions, frame.dimension, 2.0 * spacing);
@@ -58,6 +59,7 @@ void render_section(const Frame& frame, const RenderOptions& options, const std:
   add_flat_surface(view, make_filled_part(sample, sampled.filling, sampled.values.front()), picture.colors);
   add_edges(view, make_edges(sample, sampled.filling), 2.0F, 0.15);
   if (options.outline) add_edges(view, make_undeformed_edges(frame, plane), 2.0F, 0.55);
+  if (frame.dimension == 2) add_wall_particles(view, picture.wall_particles, 0.5 * picture.particles.spacing);
   const vtkBoundingBox bodies(view->ComputeVisiblePropBounds());
   for (const Plane& wall : options.walls)
     if (const auto trace = trace_of(wall, sample)) add_wall_line(view, *trace, bodies);

@@ -21,6 +21,9 @@ void add_spheres(vtkRenderer* view, vtkPolyData* points, double radius, vtkLooku
 /// The same as flat discs, for views straight from above.
 void add_discs(vtkRenderer* view, vtkPolyData* points, double radius, vtkLookupTable* colors);
 
+/// Grey discs, nothing for nullptr. In space they are to be small: what lies behind them has to be seen.
+void add_wall_particles(vtkRenderer* view, vtkPolyData* points, double radius);
+
 void add_surface(vtkRenderer* view, vtkPolyData* surface, vtkLookupTable* colors);
 
 /// The twelve edges of a box.

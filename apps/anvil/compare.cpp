@@ -130,8 +130,12 @@ void print_quantities(const std::vector<ComparedQuantity>& quantities) {
 
 void print_energies(const History& history) {
   const auto& total = required_column(history, "total_energy");
-  const double largest = *std::max_element(total.begin(), total.end());
-  std::vector<TableRow> rows = {{"energy", "start J", "end J", "of the largest total"}};
+  double largest = *std::max_element(total.begin(), total.end());
+  // What falls from rest has no energy in total.
+  if (const HistoryColumn* potential = history.find("potential_energy"))
+    for (const double energy : potential->values) largest = std::max(largest, std::abs(energy));
+  const std::string& unit = history.find("total_energy")->unit;
+  std::vector<TableRow> rows = {{"energy", "start " + unit, "end " + unit, "of the largest"}};
   for (const auto& part : energy_parts(history))
     rows.push_back(
         {part.name, fmt::format("{:.6g}", part.start), fmt::format("{:.6g}", part.end), percent(part.end / largest)});

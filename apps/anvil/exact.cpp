@@ -78,7 +78,7 @@ std::string shell_table(const Scene& scene, double time, int points) {
   CylindricalShell shell(shell_problem(scene), cells);
   std::string text =
       fmt::format("# {}: one-dimensional calculation with {} cells, energies per metre\n", scene.title, cells);
-  text += "time [s],inner_radius [m],outer_radius [m],kinetic_energy [J],internal_energy [J],plastic_work [J]\n";
+  text += "time [s],inner_radius [m],outer_radius [m],kinetic_energy [J/m],internal_energy [J/m],plastic_work [J/m]\n";
   for (int i = 0; i < points; ++i) {
     shell.advance_to(time * i / (points - 1));
     text += fmt::format("{},{},{},{},{},{}\n", shell.time(), shell.inner_radius(), shell.outer_radius(),

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -106,10 +107,12 @@ Plane plane_from(const Parameters& boundary) {
   return {padded(boundary.numbers("point")), padded(boundary.numbers("normal"))};
 }
 
-/// What the scene of a result adds to a picture of it.
+/// What the scene of a result says about a picture of it.
 struct Surroundings {
   std::vector<Plane> walls, mirrors;
   std::vector<std::string> body_names;
+  std::optional<int> first_wall;
+  bool on_faces = false;
 };
 
 Surroundings surroundings_of(const fs::path& result) {
@@ -120,7 +123,11 @@ Surroundings surroundings_of(const fs::path& result) {
     if (boundary.entry.type == "rigid_wall") surroundings.walls.push_back(plane_from(boundary.entry.parameters));
     if (boundary.entry.type == "symmetry_plane") surroundings.mirrors.push_back(plane_from(boundary.entry.parameters));
   }
-  for (const auto& body : scene->bodies) surroundings.body_names.push_back(body.name);
+  for (const auto& body : scene->bodies) {
+    surroundings.body_names.push_back(body.name);
+    if (body.lattice == "face_lattice") surroundings.on_faces = true;
+  }
+  surroundings.first_wall = static_cast<int>(scene->bodies.size());
   return surroundings;
 }
 
@@ -198,6 +205,8 @@ int execute_render(const Arguments& arguments) {
   const Surroundings surroundings = surroundings_of(result);
   options.walls = surroundings.walls;
   options.body_names = surroundings.body_names;
+  options.first_wall = surroundings.first_wall;
+  options.on_faces = surroundings.on_faces;
   const DrawnFrames frames(*values, surroundings.mirrors);
   const fs::path target = values->count("output") != 0 ? fs::path((*values)["output"].as<std::string>())
                                                        : fs::path(bare_name(result).string() + ".png");

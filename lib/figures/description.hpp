@@ -28,7 +28,7 @@ struct CurveDescription {
   std::string file;           // a CSV file, beside the description
   std::string x_column, y_column;
   std::string label;
-  std::string style;  // line, points, reference; empty: points for scattered particles, else a line
+  std::string style;  // line, points, reference, wall; empty: points for scattered particles, else a line
 };
 
 /// A field over position and time, from all frames.

@@ -57,7 +57,7 @@ FigureKeys<CurveDescription> curve_keys() {
           {{.name = "x_column", .kind = ValueKind::text}, &CurveDescription::x_column},
           {{.name = "y_column", .kind = ValueKind::text}, &CurveDescription::y_column},
           {{.name = "label", .kind = ValueKind::text}, &CurveDescription::label},
-          {{.name = "style", .kind = ValueKind::choice, .choices = {"line", "points", "reference"}},
+          {{.name = "style", .kind = ValueKind::choice, .choices = {"line", "points", "reference", "wall"}},
            &CurveDescription::style}};
 }
 

@@ -42,8 +42,8 @@ std::string name_of(const std::string& quantity) {
 
 /// What columns of a history in one unit have in common.
 std::string kind_of(const std::string& si_unit) {
-  if (si_unit == "J") return "Energy";
-  if (si_unit == "N s") return "Momentum";
+  if (si_unit.starts_with("J")) return "Energy";
+  if (si_unit.starts_with("N s")) return "Momentum";
   if (si_unit == "m") return "Length";
   return "";
 }
@@ -145,9 +145,12 @@ class PanelBuilder {
   PlottedCurve new_curve(const std::string& label, const std::string& style) {
     PlottedCurve curve;
     curve.label = label;
-    if (style == "points") curve.style = CurveStyle::points;
+    if (style == "points" || style == "wall") curve.style = CurveStyle::points;
     if (style == "reference") curve.style = CurveStyle::reference;
-    if (curve.style != CurveStyle::reference) curve.color = curve_color(colors_used_++);
+    if (style == "wall")
+      curve.color = {150, 150, 150};
+    else if (curve.style != CurveStyle::reference)
+      curve.color = curve_color(colors_used_++);
     return curve;
   }
 

@@ -11,9 +11,9 @@
 namespace anvil {
 namespace {
 
-const std::vector<Unit>& all_units() {
-  // Of each SI unit the largest first: readable_unit takes the first that leaves a number of one or more.
-  static const std::vector<Unit> units = {
+// Of each SI unit the largest first: readable_unit takes the first that leaves a number of one or more.
+std::vector<Unit> make_units() {
+  std::vector<Unit> units = {
       {"GPa", "Pa", 1e9},      {"MPa", "Pa", 1e6},      {"kPa", "Pa", 1e3},    {"Pa", "Pa", 1.0},
       {"m", "m", 1.0},         {"cm", "m", 1e-2},       {"mm", "m", 1e-3},     {"µm", "m", 1e-6},
       {"s", "s", 1.0},         {"ms", "s", 1e-3},       {"µs", "s", 1e-6},     {"ns", "s", 1e-9},
@@ -24,6 +24,17 @@ const std::vector<Unit>& all_units() {
       {"kg", "kg", 1.0},       {"g", "kg", 1e-3},       {"K", "K", 1.0},       {"%", "", 1e-2},
       {"1", "", 1.0},          {"", "", 1.0},
   };
+  // What is summed over the particles of a scene in two dimensions or one: summed_unit.
+  const std::size_t count = units.size();
+  for (const std::string depth : {"/m", "/m2"})
+    for (std::size_t i = 0; i < count; ++i)
+      if (const Unit unit = units[i]; unit.si == "J" || unit.si == "N" || unit.si == "N s" || unit.si == "kg")
+        units.push_back({unit.name + depth, unit.si + depth, unit.factor});
+  return units;
+}
+
+const std::vector<Unit>& all_units() {
+  static const std::vector<Unit> units = make_units();
   return units;
 }
 
@@ -58,6 +69,7 @@ std::string with_unit(const std::string& label, const Unit& unit) {
   if (unit.name.empty() || unit.name == "1") return label;
   std::string name = unit.name;
   if (const auto place = name.find("m3"); place != std::string::npos) name.replace(place, 2, "m³");
+  if (const auto place = name.find("m2"); place != std::string::npos) name.replace(place, 2, "m²");
   return label.empty() ? fmt::format("[{}]", name) : fmt::format("{} [{}]", label, name);
 }
 

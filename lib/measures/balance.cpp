@@ -39,6 +39,14 @@ double change_of(const History& history, const std::string& name) {
   return column == nullptr || column->values.empty() ? 0.0 : column->values.back() - column->values.front();
 }
 
+/// Largest energy in the run, J. The total of what falls may be near zero all the time: its potential energy is not.
+double energy_scale(const History& history) {
+  double scale = largest(required_column(history, "total_energy"));
+  if (const HistoryColumn* potential = history.find("potential_energy"))
+    scale = std::max(scale, largest(potential->values));
+  return scale;
+}
+
 /// 0 for nothing out of nothing: the balance of a scene at rest.
 double relative(double value, double scale) { return value == 0.0 ? 0.0 : value / scale; }
 
@@ -54,20 +62,20 @@ const std::vector<double>& required_column(const History& history, const std::st
 std::vector<BalancePart> energy_parts(const History& history) {
   std::vector<BalancePart> parts;
   for (const auto& column : history.columns())
-    if (column.unit == "J" && !column.values.empty())
+    if (column.unit.starts_with("J") && !column.values.empty())
       parts.push_back({column.name, column.values.front(), column.values.back()});
   return parts;
 }
 
 double energy_balance(const Result& result) {
   const auto& total = required_column(result.history, "total_energy");
-  return relative(total.back() - total.front() - change_of(result.history, "pressure_work"), largest(total));
+  const double worked = change_of(result.history, "pressure_work") + change_of(result.history, "wall_work");
+  return relative(total.back() - total.front() - worked, energy_scale(result.history));
 }
 
 double smoothing_share(const Result& result) {
   const HistoryColumn* loss = result.history.find("smoothing_loss");
-  return loss == nullptr ? 0.0
-                         : relative(loss->values.back(), largest(required_column(result.history, "total_energy")));
+  return loss == nullptr ? 0.0 : relative(loss->values.back(), energy_scale(result.history));
 }
 
 double momentum_balance(const Result& result) {
@@ -77,7 +85,8 @@ double momentum_balance(const Result& result) {
     if (momentum == nullptr) continue;  // an axis the scene does not have
     required_column(result.history, std::string("wall_impulse_") + axis);
     const double pushed = change_of(result.history, std::string("wall_impulse_") + axis) +
-                          change_of(result.history, std::string("pressure_impulse_") + axis);
+                          change_of(result.history, std::string("pressure_impulse_") + axis) +
+                          change_of(result.history, std::string("gravity_impulse_") + axis);
     worst = std::max(worst, std::abs(momentum->values.back() - momentum->values.front() - pushed));
   }
   return relative(worst, momentum_scale(result.history));

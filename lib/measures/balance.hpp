@@ -19,13 +19,15 @@ struct BalancePart {
 /// stands among them.
 std::vector<BalancePart> energy_parts(const History& history);
 
-// Shares are relative to the largest value in the run: of total_energy, or of a component of the momentum.
+// Shares are relative to the largest value in the run: of total_energy and potential_energy, or of a component of the
+// momentum.
 
-/// Change of total_energy from the start to the end less the work of pressures; 0 when energy is accounted for.
+/// Change of total_energy from the start to the end less the work of pressures and walls; 0 when energy is accounted
+/// for.
 double energy_balance(const Result& result);
 
-/// Change of momentum less the impulses of walls and pressures, largest component: round-off where the method conserves
-/// momentum, and what the smoothing of the velocity adds where it does not.
+/// Change of momentum less the impulses of walls, pressures and gravity, largest component: round-off where the method
+/// conserves momentum, and what the smoothing of the velocity adds where it does not.
 double momentum_balance(const Result& result);
 
 /// What is left when the impulse of the smoothing is subtracted too.

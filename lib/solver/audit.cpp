@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "anvil/core/summed_unit.hpp"
 #include "anvil/solver/tiles.hpp"
 
 namespace anvil {
@@ -103,39 +104,40 @@ std::vector<AuditValue> Solver<D>::audit() const {
   const Vec<D> unexplained = present - ledger_.start_momentum - ledger_.wall_impulse - ledger_.smoothing_impulse -
                              ledger_.pressure_impulse - ledger_.gravity_impulse;
 
+  const std::string impulse = summed_unit("N s", D), energy = summed_unit("J", D);
   std::vector<AuditValue> row;
-  row.push_back({"mass", "kg", mass});
-  add_vector<D>(row, "momentum", "N s", present);
+  row.push_back({"mass", summed_unit("kg", D), mass});
+  add_vector<D>(row, "momentum", impulse, present);
   add_vector<D>(row, "centre_of_mass", "m", mass > 0.0 ? Vec<D>(centre / mass) : centre);
-  row.push_back({"kinetic_energy", "J", kinetic});
-  if (!specific_energy_.empty()) row.push_back({"internal_energy", "J", internal_energy()});
-  row.push_back({"elastic_energy", "J", elastic});
+  row.push_back({"kinetic_energy", energy, kinetic});
+  if (!specific_energy_.empty()) row.push_back({"internal_energy", energy, internal_energy()});
+  row.push_back({"elastic_energy", energy, elastic});
   const bool falls = !recipe_.gravity.isZero(0.0);
-  if (falls) row.push_back({"potential_energy", "J", -ledger_.gravity_work});
-  row.push_back({"plastic_work", "J", ledger_.plastic_work});
-  row.push_back({"viscous_loss", "J", ledger_.viscous_loss});
-  row.push_back({"smoothing_loss", "J", ledger_.smoothing_loss});
-  row.push_back({"wall_loss", "J", ledger_.wall_loss});
+  if (falls) row.push_back({"potential_energy", energy, -ledger_.gravity_work});
+  row.push_back({"plastic_work", energy, ledger_.plastic_work});
+  row.push_back({"viscous_loss", energy, ledger_.viscous_loss});
+  row.push_back({"smoothing_loss", energy, ledger_.smoothing_loss});
+  row.push_back({"wall_loss", energy, ledger_.wall_loss});
   if (recipe_.contact) {
-    row.push_back({"contact_loss", "J", ledger_.contact_loss});
+    row.push_back({"contact_loss", energy, ledger_.contact_loss});
     row.push_back({"contact_penetration", "m", recipe_.contact->deepest_penetration()});
   }
-  row.push_back({"total_energy", "J", total});
-  row.push_back({"energy_error", "J", total - ledger_.start_energy - ledger_.pressure_work - ledger_.wall_work});
-  add_vector<D>(row, "wall_impulse", "N s", ledger_.wall_impulse);
-  add_vector<D>(row, "smoothing_impulse", "N s", ledger_.smoothing_impulse);
+  row.push_back({"total_energy", energy, total});
+  row.push_back({"energy_error", energy, total - ledger_.start_energy - ledger_.pressure_work - ledger_.wall_work});
+  add_vector<D>(row, "wall_impulse", impulse, ledger_.wall_impulse);
+  add_vector<D>(row, "smoothing_impulse", impulse, ledger_.smoothing_impulse);
   if (!recipe_.loads.empty()) {
-    add_vector<D>(row, "pressure_impulse", "N s", ledger_.pressure_impulse);
-    row.push_back({"pressure_work", "J", ledger_.pressure_work});
+    add_vector<D>(row, "pressure_impulse", impulse, ledger_.pressure_impulse);
+    row.push_back({"pressure_work", energy, ledger_.pressure_work});
   }
-  if (falls) add_vector<D>(row, "gravity_impulse", "N s", ledger_.gravity_impulse);
+  if (falls) add_vector<D>(row, "gravity_impulse", impulse, ledger_.gravity_impulse);
   if (!walls_.empty()) {
-    row.push_back({"wall_stored_energy", "J", energy_stored_by_walls()});
-    row.push_back({"wall_work", "J", ledger_.wall_work});
+    row.push_back({"wall_stored_energy", energy, energy_stored_by_walls()});
+    row.push_back({"wall_work", energy, ledger_.wall_work});
   }
   if (!walls_.empty() || !recipe_.mirror_walls.empty()) row.push_back({"penetrations", "", ledger_.penetrations});
   if (recipe_.corrected_gradients) row.push_back({"uncorrected_particles", "", ledger_.uncorrected});
-  row.push_back({"momentum_error", "N s", unexplained.norm()});
+  row.push_back({"momentum_error", impulse, unexplained.norm()});
   row.push_back({"minimum_pair_distance", "m", minimum_pair_distance()});
   row.push_back({"list_builds", "", static_cast<double>(list_builds_)});
   return row;

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "anvil/figures/color_scale.hpp"
+#include "anvil/study/axis_labels.hpp"
 
 namespace anvil {
 namespace {
@@ -181,7 +182,7 @@ Panel cost_panel(const StudyDescription& study, const std::vector<CostPoint>& po
                  const std::string& label, std::size_t measure) {
   Panel panel;
   panel.x = {.label = label, .logarithmic = true, .range = {}};
-  panel.y = {.label = study.grids.front().measures[measure], .logarithmic = true, .range = {}};
+  panel.y = {.label = measure_label(study.grids.front().measures[measure]), .logarithmic = true, .range = {}};
   std::size_t color = 0;
   for (const auto& [name, members] : curves_of(points)) {
     PlottedCurve curve{.label = name, .style = CurveStyle::line, .color = distinct_color(color++), .x = {}, .y = {}};
@@ -255,8 +256,8 @@ Figure cost_figure(const StudyDescription& study, const std::vector<StudyRun>& r
   figure.title = study.title;
   figure.columns = 2;
   for (std::size_t m = 0; m < measures; ++m) {
-    figure.panels.push_back(cost_panel(study, points, seconds_of, "CPU time in s, one thread", m));
-    figure.panels.push_back(cost_panel(study, points, particle_steps_of, "particle-steps", m));
+    figure.panels.push_back(cost_panel(study, points, seconds_of, "CPU time of one thread [s]", m));
+    figure.panels.push_back(cost_panel(study, points, particle_steps_of, "Particles × steps", m));
   }
   figure.size = {2200, 100 + 850 * static_cast<int>(measures)};
   return figure;
@@ -270,11 +271,11 @@ Figure convergence_figure(const StudyDescription& study, const std::vector<Study
   figure.columns = 1;
   for (std::size_t m = 0; m < measures.size(); ++m) {
     Panel& panel = figure.panels.emplace_back();
-    panel.x = {.label = ends_in_spacing(study.grids.front()) ? "spacing in mm"
-                                                             : short_name(study.grids.front().axes.back().key),
-               .logarithmic = true,
-               .range = {}};
-    panel.y = {.label = measures[m], .logarithmic = true, .range = {}};
+    panel.x = {
+        .label = ends_in_spacing(study.grids.front()) ? "Spacing [mm]" : key_label(study.grids.front().axes.back().key),
+        .logarithmic = true,
+        .range = {}};
+    panel.y = {.label = measure_label(measures[m]), .logarithmic = true, .range = {}};
     std::size_t color = 0;
     for (const auto& [name, members] : curves_of(points)) {
       PlottedCurve curve{.label = {}, .style = CurveStyle::line, .color = distinct_color(color++), .x = {}, .y = {}};

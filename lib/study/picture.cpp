@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "anvil/figures/color_scale.hpp"
-#include "anvil/scene/schema.hpp"
+#include "anvil/study/axis_labels.hpp"
 #include "anvil/study/cost.hpp"
 #include "anvil/study/report.hpp"
 #include "anvil/study/run_table.hpp"
@@ -20,15 +20,6 @@ double mean_over_times(const RunTable& table, std::size_t run) {
   return sum / static_cast<double>(table.grid().times.size());
 }
 
-/// "spacing in m" for discretisation.spacing; a key of an entry, whose unit depends on its type, by its name alone.
-std::string axis_label(const std::string& key) {
-  for (const auto& section : scene_sections())
-    for (const Key* known : section.keys)
-      if (key == fmt::format("{}.{}", section.name, known->name) && !known->unit.empty())
-        return fmt::format("{} in {}", known->name, known->unit);
-  return key.substr(key.rfind('.') + 1);
-}
-
 /// The values of all axes but the last, which tell the curves of a panel apart.
 std::string curve_label(const StudyRun& run) {
   return fmt::format("{}", fmt::join(run.axis_values.begin(), run.axis_values.end() - 1, ", "));
@@ -36,8 +27,8 @@ std::string curve_label(const StudyRun& run) {
 
 Panel order_panel(const RunTable& table) {
   Panel panel;
-  panel.x = {.label = axis_label(table.grid().axes.back().key), .logarithmic = true, .range = {}};
-  panel.y = {.label = table.grid().measures.front(), .logarithmic = true, .range = {}};
+  panel.x = {.label = key_label(table.grid().axes.back().key), .logarithmic = true, .range = {}};
+  panel.y = {.label = measure_label(table.grid().measures.front()), .logarithmic = true, .range = {}};
   const std::size_t length = table.grid().axes.back().values.size();
   for (std::size_t first = 0; first < table.runs().size(); first += length) {
     PlottedCurve line{.label = curve_label(table.run(first)),
@@ -59,7 +50,7 @@ Panel order_panel(const RunTable& table) {
 }
 
 PlottedCurve speed_curve(const RunTable& table, const std::string& measure, CurveStyle style, std::size_t color) {
-  PlottedCurve curve{.label = measure, .style = style, .color = curve_color(color), .x = {}, .y = {}};
+  PlottedCurve curve{.label = measure_label(measure), .style = style, .color = curve_color(color), .x = {}, .y = {}};
   for (std::size_t k = 0; k < table.runs().size(); ++k) {
     curve.x.push_back(table.last_axis(k));
     curve.y.push_back(table.value(k, table.grid().times.size() - 1, table.measure_number(measure)));
@@ -69,8 +60,8 @@ PlottedCurve speed_curve(const RunTable& table, const std::string& measure, Curv
 
 Panel speed_panel(const RunTable& table) {
   Panel panel;
-  panel.x.label = axis_label(table.grid().axes.back().key);
-  panel.y.label = "speed over that of the material";
+  panel.x.label = key_label(table.grid().axes.back().key);
+  panel.y.label = "Speed / speed of the material";
   panel.curves.push_back(speed_curve(table, "lattice_factor", CurveStyle::reference, 0));
   std::size_t color = 0;
   for (const auto& reference : table.grid().references)

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "anvil/kernels/lattice_sum.hpp"
+#include "anvil/study/axis_labels.hpp"
 #include "anvil/study/run_table.hpp"
 
 namespace anvil {
@@ -122,10 +123,10 @@ Axis axis_for(const StudyAxis& axis) {
   const double share = 0.6 / std::max<double>(1.0, static_cast<double>(values.size()) - 1.0);
   if (logarithmic) {
     const double margin = std::pow(greatest / least, share);
-    return {.label = short_name(axis.key), .logarithmic = true, .range = {{least / margin, greatest * margin}}};
+    return {.label = key_label(axis.key), .logarithmic = true, .range = {{least / margin, greatest * margin}}};
   }
   const double margin = share * (greatest - least);
-  return {.label = short_name(axis.key), .logarithmic = false, .range = {{least - margin, greatest + margin}}};
+  return {.label = key_label(axis.key), .logarithmic = false, .range = {{least - margin, greatest + margin}}};
 }
 
 Panel stability_panel(const RunTable& table) {

@@ -58,7 +58,7 @@ def describe_charts():
     charts = []
     for view in GetViews():
         if view.GetXMLName() == "XYChartView":
-            charts.append({"title": view.ChartTitle, **describe_picture(view)})
+            charts.append({"title": view.ChartTitle, "left_axis": view.LeftAxisTitle, **describe_picture(view)})
     return charts
 
 

@@ -60,7 +60,7 @@ class StateTest(unittest.TestCase):
         self.assertEqual(report["points"], [particles] * len(times))
         self.assertEqual(report["cells"], [particles] * len(times))
 
-    def check_picture(self, report, charts, unit):
+    def check_picture(self, report, charts, unit, energy):
         # Particles, wall and colour bar; an empty view or a black one is outside.
         self.assertGreater(report["drawn_share"], 0.02)
         self.assertLess(report["drawn_share"], 0.6)
@@ -70,20 +70,21 @@ class StateTest(unittest.TestCase):
         self.assertEqual([chart["title"] for chart in report["charts"]], charts)
         for chart in report["charts"]:
             self.assertGreater(chart["colored_share"], 0.002, chart)  # curves
+        self.assertEqual(report["charts"][-1]["left_axis"], f"energy ({energy})")
 
-    def check_state(self, state, written, charts, unit):
+    def check_state(self, state, written, charts, *units):
         """As Python, and as the .pvsm that is shipped, with a result that lies elsewhere."""
         report = self.inspect("python_state", STATES / f"{state}.py", self.result)
         self.check_series(report, *written)
-        self.check_picture(report, charts, unit)
-        self.check_moved(STATES / f"{state}.pvsm", written, charts, unit)
+        self.check_picture(report, charts, *units)
+        self.check_moved(STATES / f"{state}.pvsm", written, charts, *units)
 
-    def check_moved(self, state_file, written, charts, unit):
+    def check_moved(self, state_file, written, charts, *units):
         moved = self.folder / "moved"
         self.result.rename(moved)
         report = self.inspect("state_file", state_file, moved)
         self.check_series(report, *written)
-        self.check_picture(report, charts, unit)
+        self.check_picture(report, charts, *units)
         moved.rename(self.result)
 
     def test_series_opens_with_its_times_and_particles(self):
@@ -97,31 +98,31 @@ class StateTest(unittest.TestCase):
 
     def test_rod(self):
         written = self.write_rod()
-        self.check_state("rod", written, ["History"], "µs")
+        self.check_state("rod", written, ["History"], "µs", "J")
 
     def test_new_state_file_loads_after_the_result_moved(self):
         written = self.write_rod()
         made = self.folder / "made.pvsm"
         pvbatch(STATES / "make_pvsm.py", STATES / "rod.py", self.result, made)
-        self.check_moved(made, written, ["History"], "µs")
+        self.check_moved(made, written, ["History"], "µs", "J")
 
     def test_plate(self):
         written = flat_result.write_result(self.result, "plate", "plate_perfect")
-        self.check_state("plate", written, ["Axial stress", "History"], "µs")
+        self.check_state("plate", written, ["Axial stress", "History"], "µs", "J/m²")
 
     def test_shell(self):
         written = flat_result.write_result(self.result, "shell", "be_shell")
-        self.check_state("shell", written, ["History"], "µs")
+        self.check_state("shell", written, ["History"], "µs", "J/m")
 
     def test_water(self):
         written = flat_result.write_result(self.result, "water", "water_column")
-        self.check_state("fluid", written, ["History"], " s")
+        self.check_state("fluid", written, ["History"], " s", "J/m")
 
     def test_soil(self):
         written = flat_result.write_result(self.result, "soil", "soil_collapse")
         report = self.inspect("python_state", STATES / "fluid.py", self.result)
         self.check_series(report, *written)
-        self.check_picture(report, ["History"], " s")
+        self.check_picture(report, ["History"], " s", "J/m")
 
     def test_says_where_it_looked(self):
         with self.assertRaisesRegex(AssertionError, "expected a .pvd file"):

@@ -64,8 +64,8 @@ KINDS = {"shell": (ring, 30e-6), "water": (lambda p: column(p, "pressure"), 1.5)
          "soil": (lambda p: column(p, "plastic_strain"), 1.5), "plate": (plate, 15e-6)}
 
 
-def write_history(folder, end):
-    rows = ["time [s],step,kinetic_energy [J],total_energy [J]"]
+def write_history(folder, end, unit="J"):
+    rows = [f"time [s],step,kinetic_energy [{unit}],total_energy [{unit}]"]
     rows += [f"{end * i / 20:.9g},{i},{100.0 - 4.0 * i},{100.0}" for i in range(21)]
     (folder / "history.csv").write_text("\n".join(rows) + "\n")
 
@@ -84,5 +84,5 @@ def write_result(folder, kind, name, frames=4):
         entries.append(f'<DataSet timestep="{times[-1]!r}" file="{file}"/>')
     (folder / f"{name}.pvd").write_text(
         f'<VTKFile type="Collection" version="1.0"><Collection>{"".join(entries)}</Collection></VTKFile>\n')
-    write_history(folder, end)
+    write_history(folder, end, "J/m2" if kind == "plate" else "J/m")
     return times, count

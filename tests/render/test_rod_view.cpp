@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "anvil/core/error.hpp"
+#include "anvil/measures/frame_parts.hpp"
 #include "render/mushroom.hpp"
+#include "vtk_io/body_surface.hpp"
+#include "vtk_io/drawn_particles.hpp"
 #include "vtk_io/image_comparison.hpp"
 #include "vtk_io/render.hpp"
 
@@ -104,6 +107,52 @@ TEST(RodView, FillsThePicture) {
       EXPECT_GT(content.box[3], 440);
       EXPECT_LT(content.box[3], 479);
     }
+}
+
+/// A cube of 8 mm: `across` particles along an edge, on its faces or half a spacing inside.
+Frame make_cube(int across, bool on_faces) {
+  Frame frame;
+  frame.scene = "cube";
+  const double spacing = 8e-3 / (on_faces ? across - 1 : across);
+  const double first = on_faces ? 0.0 : 0.5 * spacing;
+  for (int k = 0; k < across; ++k)
+    for (int j = 0; j < across; ++j)
+      for (int i = 0; i < across; ++i)
+        frame.positions.insert(frame.positions.end(), {first + i * spacing, first + j * spacing, first + k * spacing});
+  frame.arrays = {{"initial_position", "m", 3, false, frame.positions},
+                  {"plastic_strain", "", 1, false, std::vector<double>(frame.particle_count(), 1.0)}};
+  return frame;
+}
+
+TEST(BodySurface, LiesOnTheFacesOfBothLattices) {
+  for (const bool on_faces : {false, true}) {
+    SCOPED_TRACE(on_faces);
+    Frame cube = make_cube(9, on_faces);
+    if (on_faces) add_masses_of_face_lattice(cube);
+    const auto particles = make_drawn_particles(cube, cube.find("plastic_strain")->values, on_faces);
+    ASSERT_EQ(particles.undeformed.size(), 1U);
+    double outline[6];
+    particles.undeformed.front().GetBounds(outline);
+    double surface[6];
+    make_body_surface(make_filling(particles), std::nullopt)->GetBounds(surface);
+    for (int i = 0; i < 6; ++i) {
+      EXPECT_NEAR(outline[i], i % 2 == 0 ? 0.0 : 8.0, 1e-9);
+      EXPECT_NEAR(surface[i], outline[i], 0.1 * particles.spacing);  // the edges are rounded
+    }
+  }
+}
+
+/// Both lattices fill the same cube: but for the rounding of its edges the pictures are the same.
+TEST(RodView, DrawsParticlesOnFacesAsTheBodyTheyFill) {
+  RenderOptions options = baseline_options();
+  options.surface = true;
+  options.range = FieldRange{0.0, 2.0};
+  const auto inside = draw("inside", make_cube(17, false), options);
+  const auto too_large = draw("too_large", make_cube(17, true), options);
+  options.on_faces = true;
+  const auto on_faces = draw("on_faces", make_cube(17, true), options);
+  EXPECT_GT(compare_images(inside, on_faces).similarity, 0.97);
+  EXPECT_LT(compare_images(inside, too_large).similarity, 0.92);
 }
 
 TEST(RodView, DrawsTheSamePictureTwice) {
@@ -222,6 +271,34 @@ TEST(ParticlesView, ColorsByBodyWithTheirNames) {
   const auto by_name = draw("by_name", frame, options);
   EXPECT_FALSE(compare_images(by_pressure, by_number).same());
   EXPECT_FALSE(compare_images(by_number, by_name).same());
+}
+
+TEST(ParticlesView, DrawsWallsGreyWhateverTheirField) {
+  Frame frame = make_disc();
+  frame.arrays.push_back({"body", "", 1, true, std::vector<double>(frame.particle_count(), 0.0)});
+  const Frame alone = frame;
+  for (int i = -12; i <= 12; ++i) {
+    frame.positions.insert(frame.positions.end(), {1e-3 * i, -11e-3, 0.0});
+    frame.arrays[0].values.push_back(5e9);  // would set the range of colours
+    frame.arrays[1].values.push_back(1.0);
+  }
+  RenderOptions options;
+  options.size = {640, 480};
+  options.first_wall = 1;
+  const auto grey = draw("grey", frame, options);
+  for (double& pressure : frame.arrays[0].values) pressure = std::min(pressure, 10e6);
+  EXPECT_EQ(compare_images(grey, draw("other_field", frame, options)).mean_difference, 0.0);
+  EXPECT_GT(measure_content(grey).share, 0.2);
+  options.first_wall.reset();
+  EXPECT_FALSE(compare_images(grey, draw("coloured", frame, options)).same());
+  options.first_wall = 1;
+  EXPECT_FALSE(compare_images(grey, draw("alone", alone, options)).same());
+
+  SeriesExtent extent;
+  frame.arrays[0].values.back() = 5e9;
+  include_frame(extent, frame, options);
+  EXPECT_DOUBLE_EQ(extent.values->high, 10e6);
+  EXPECT_DOUBLE_EQ((*extent.bounds)[1], 12e-3);
 }
 
 TEST(ParticlesView, DrawsLargerParticlesLarger) {

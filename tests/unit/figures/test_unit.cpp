@@ -20,6 +20,8 @@ TEST(Unit, IsFoundByNameAndBySize) {
   EXPECT_EQ(readable_unit("furlong", 3.0).name, "furlong");
   EXPECT_EQ(with_unit("Density", find_unit("kg/m3")), "Density [kg/m³]");
   EXPECT_EQ(with_unit("Plastic strain", {}), "Plastic strain");
+  EXPECT_EQ(with_unit("Energy", readable_unit("J/m2", 2.5e4)), "Energy [kJ/m²]");
+  EXPECT_EQ(with_unit("Momentum", readable_unit("N s/m", 3.0)), "Momentum [N s/m]");
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST_F(CostStudy, DrawsTheFrontWithItsPointsNamed) {
   ASSERT_EQ(figures.size(), 2U);
   const auto& panels = figures[0].figure.panels;
   ASSERT_EQ(panels.size(), 2U);
-  EXPECT_EQ(panels[1].x.label, "particle-steps");
+  EXPECT_EQ(panels[1].x.label, "Particles × steps");
   const auto& front = panels[0].curves.back();
   EXPECT_EQ(front.label, "Pareto front");
   EXPECT_EQ(front.point_labels.size(), front.x.size());

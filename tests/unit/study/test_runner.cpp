@@ -151,7 +151,7 @@ TEST(StudyReportOrders, DrawsACurvePerSetting) {
   ASSERT_EQ(figures.size(), 1U);
   const auto& panels = figures[0].figure.panels;
   ASSERT_EQ(panels.size(), 1U);
-  EXPECT_EQ(panels[0].x.label, "spacing in m");
+  EXPECT_EQ(panels[0].x.label, "Spacing [m]");
   EXPECT_TRUE(panels[0].y.logarithmic);
   EXPECT_NEAR(panels[0].curves[0].y[0], 0.6, 1e-12);  // the mean of both times
 }
