@@ -272,66 +272,13 @@ void add_ruler(vtkRenderer* view, const Direction& begin, const Direction& axis,
   }
   // Between the last two numbers, where it cannot leave the picture.
   add_number(in_metres ? "m" : "mm", ticks.back() - first - 0.5 * step);
-  // Letters have no size in space: this point makes room for them when the camera looks for what to show. What is
-  // shown will take up at least 0.45 of the longer side of the view.
+  // Letters have no size in space: a line without length makes room for them when the camera looks for what to show.
+  // That will take up at least half of the longer side of the view.
   const int* size = view->GetSize();
-  const double pixel = room / (0.45 * std::max(size[0], size[1]));
-  const double reach = 0.58 * (std::abs(left[0]) * shown.GetLength(0) + std::abs(left[1]) * shown.GetLength(1));
-  add_ruler(view, {center[0] + reach * left[0], center[1] + reach * left[1], shown.GetMinPoint()[2]}, {0.0, 0.0, 1.0},
-            left, shown.GetLength(2), shown.GetMaxLength(), font_height);
-  vtkBoundingBox all(view->ComputeVisiblePropBounds());
-  all.AddBox(shown);
-  aim_camera(view, all, direction, {0.0, 0.0, 1.0});
-}
-
-void add_axes(vtkRenderer* view, const vtkBoundingBox& box, int font_height) {
-  const double* low = box.GetMinPoint();
-  const double room = std::max(box.GetLength(0), box.GetLength(1));
-  const double away = 0.03 * room;
-  add_ruler(view, {low[0], low[1] - away, 0.0}, {1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, box.GetLength(0), room, font_height);
-  if (box.GetLength(1) > 0.05 * box.GetLength(0))
-    add_ruler(view, {low[0] - away, low[1], 0.0}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}, box.GetLength(1), room,
-              font_height);
-}
-
-void add_ruler(vtkRenderer* view, const Direction& begin, const Direction& axis, const Direction& side, double length,
-               double room, int font_height) {
-  vtkNew<vtkPolyData> lines;
-  lines->SetPoints(vtkSmartPointer<vtkPoints>::New());
-  lines->SetLines(vtkSmartPointer<vtkCellArray>::New());
-  const auto add_line = [&](const Direction& from, const Direction& to) {
-    const vtkIdType a = lines->GetPoints()->InsertNextPoint(from.data());
-    const vtkIdType b = lines->GetPoints()->InsertNextPoint(to.data());
-    lines->GetLines()->InsertNextCell({a, b});
-  };
-  const double first = vtkMath::Dot(begin.data(), axis.data());
-  const double step = nice_step(length, std::max(3, static_cast<int>(std::lround(7.0 * length / room))));
-  const bool in_metres = step >= 100.0;
-  const double tick_length = 0.02 * room;
-  add_line(begin, along(begin, axis, length));
-  // Numbers stand below an axis to the right, and end beside one that points upward.
-  const bool upright = axis[0] == 0.0;
-  const Anchor anchor = upright ? Anchor::right : Anchor::middle;
-  const double away = (upright ? 1.5 : 3.0) * tick_length;
-  double widest = 0.0;  // pixels
-  const auto add_number = [&](const std::string& text, double at) {
-    add_label(view, text, along(along(begin, axis, at), side, away), font_height, anchor);
-    widest = std::max(widest, text_width(text, font_height));
-  };
-  const auto ticks = multiples_between(first, first + length, step);
-  for (const double tick : ticks) {
-    const Direction at = along(begin, axis, tick - first);
-    add_line(at, along(at, side, tick_length));
-    add_number(fmt::format("{:g}", in_metres ? 1e-3 * tick : tick), tick - first);
-  }
-  // Between the last two numbers, where it cannot leave the picture.
-  add_number(in_metres ? "m" : "mm", ticks.back() - first - 0.5 * step);
-  // Letters have no size in space: this point makes room for them when the camera looks for what to show. The longest
-  // side of the picture will be at least 0.6 of what is shown of it.
-  const int* size = view->GetSize();
-  const double pixel = room / (0.6 * std::max(size[0], size[1]));
+  const double pixel = room / (0.5 * std::max(size[0], size[1]));
   const double reach = away + pixel * (upright ? widest + 0.5 * font_height : font_height);
-  lines->GetPoints()->InsertNextPoint(along(begin, side, reach).data());
+  const Direction outermost = along(begin, side, reach);
+  add_line(outermost, outermost);
   add_lines(view, lines, 2.0F, dark);
 }
 

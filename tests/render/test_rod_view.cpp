@@ -142,19 +142,6 @@ TEST(BodySurface, LiesOnTheFacesOfBothLattices) {
   }
 }
 
-/// Both lattices fill the same cube: but for the rounding of its edges the pictures are the same.
-TEST(RodView, DrawsParticlesOnFacesAsTheBodyTheyFill) {
-  RenderOptions options = baseline_options();
-  options.surface = true;
-  options.range = FieldRange{0.0, 2.0};
-  const auto inside = draw("inside", make_cube(17, false), options);
-  const auto too_large = draw("too_large", make_cube(17, true), options);
-  options.on_faces = true;
-  const auto on_faces = draw("on_faces", make_cube(17, true), options);
-  EXPECT_GT(compare_images(inside, on_faces).similarity, 0.97);
-  EXPECT_LT(compare_images(inside, too_large).similarity, 0.92);
-}
-
 TEST(RodView, DrawsTheSamePictureTwice) {
   const auto first = draw("once", test::make_mushroom(4), baseline_options());
   const auto second = draw("twice", test::make_mushroom(4), baseline_options());
