@@ -184,6 +184,7 @@ ANVIL_INLINE void load_two_fields(const double* records, const std::int32_t* ind
   }
 }
 
+#if HWY_TARGET != HWY_SCALAR
 // Four particles in a row whose records are two fields each. The lanes hold them in the order 0, 2, 1, 3, in which they
 // come out of the records with two instructions and go into rows with eight.
 
@@ -243,5 +244,14 @@ ANVIL_INLINE void store_rows(const Lanes<N> values[4], double* out) {
   hn::StoreU(hn::ConcatLowerLower(tag, b23, a23), tag, out + 8);
   hn::StoreU(hn::ConcatUpperUpper(tag, b23, a23), tag, out + 12);
 }
+
+#else  // one lane: never called
+template <int N>
+void load_run(const double* records, Lanes<N> out[2]);
+template <int N>
+void store_run(Lanes<N> values, double* out);
+template <int N>
+void store_rows(const Lanes<N> values[4], double* out);
+#endif
 
 }  // namespace anvil::ANVIL_SIMD_LEVEL
