@@ -15,10 +15,14 @@ import tempfile
 from pathlib import Path
 
 from paraview import servermanager
+from paraview.simple import GetViews
 
 state, result, target = Path(sys.argv[1]).resolve(), sys.argv[2], Path(sys.argv[3])
 sys.argv = [str(state), result]
 series = runpy.run_path(str(state))["path"]
+for view in GetViews():
+    if view.GetXMLName() == "XYChartView":
+        view.LeftAxisUseCustomRange = 0  # the state will show other results
 
 with tempfile.TemporaryDirectory() as scratch:
     written = Path(scratch) / "state.pvsm"
