@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "unit/pairs/cloud_.hpp"
+#include "unit/pairs/cloud.hpp"
 
 namespace anvil {
 namespace {
