@@ -5,6 +5,9 @@ include(CMakePackageConfigHelpers)
 set(ANVIL_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/Anvil)
 
 install(TARGETS anvil RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(ANVIL_WITH_VTK)
+  install(TARGETS anvil-figures RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
 install(TARGETS anvil_solver EXPORT AnvilTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(
   DIRECTORY lib/

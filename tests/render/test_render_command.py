@@ -101,6 +101,17 @@ class RenderCommand(unittest.TestCase):
         self.assertEqual((stream["width"], stream["pix_fmt"]), (402, "yuv420p"))
         self.assertFalse((self.folder / "rod_frames").exists())
 
+    def test_only_the_program_that_draws_loads_what_draws(self):
+        libraries = [subprocess.run(["ldd", program], capture_output=True, text=True, check=True).stdout
+                     for program in (ANVIL, Path(ANVIL).with_name("anvil-figures"))]
+        self.assertEqual(["vtkRendering" in text for text in libraries], [False, True])
+
+    def test_the_program_that_draws_is_missed(self):
+        alone = self.folder / "anvil"
+        shutil.copy(ANVIL, alone)
+        outcome = subprocess.run([alone, "plot", self.rod], capture_output=True, text=True)
+        self.expect(outcome, 2, "anvil-figures", "No such file", "install both")
+
     def test_without_ffmpeg_the_pictures_stay(self):
         # A path with the X server alone.
         programs = self.folder / "programs"
