@@ -484,6 +484,7 @@ void Solver<D>::find_step_limits(const Tile& tile, Scratch& scratch) const {
   template void Solver<D>::accelerate_tile(const Tile&, Scratch&, double, TileReport<D>&);  \
   template void Solver<D>::apply_boundaries(const Tile&, Scratch&, double, TileReport<D>&); \
   template void Solver<D>::move_tile(const Tile&, double, TileReport<D>&);                  \
+  template void Solver<D>::note_displacements(const Tile&, TileReport<D>&) const;           \
   template void Solver<D>::strain(double);                                                  \
   template void Solver<D>::collect_strain_reports()
 ANVIL_INSTANTIATE(1);
