@@ -102,6 +102,7 @@ Near near_to(const Scene& asked, const Wish& wish, const std::vector<StudyRecord
     const std::size_t measure = measure_place(record, wish);
     if (measure == record.study.grids.front().measures.size()) continue;
     for (std::size_t grid = 0; grid < record.study.grids.size(); ++grid) {
+      if (has_threads_axis(record.study.grids[grid])) continue;  // its times are not those of one thread
       const Nearness here = nearness(asked, read_scene(locate_scene(record.study.grids[grid].scene)));
       if (here == Nearness::none || here < found.nearness) continue;
       if (here > found.nearness) found.candidates.clear();

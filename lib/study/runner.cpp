@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -56,9 +57,25 @@ std::vector<std::string> overrides_of(const StudyGrid& grid, const std::vector<s
                                       const std::vector<std::string>& set) {
   std::vector<std::string> overrides = grid.set;
   for (std::size_t axis = 0; axis < grid.axes.size(); ++axis)
-    overrides.push_back(fmt::format("{}={}", grid.axes[axis].key, axis_values[axis]));
+    if (grid.axes[axis].key != threads_axis)
+      overrides.push_back(fmt::format("{}={}", grid.axes[axis].key, axis_values[axis]));
   overrides.insert(overrides.end(), set.begin(), set.end());
   return overrides;
+}
+
+/// Throws InputError for what is no number of threads.
+int threads_of(const StudyGrid& grid, const std::vector<std::string>& axis_values) {
+  constexpr int most = 1024;
+  for (std::size_t axis = 0; axis < grid.axes.size(); ++axis) {
+    if (grid.axes[axis].key != threads_axis) continue;
+    const std::string& text = axis_values[axis];
+    int threads = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
+    if (error != std::errc() || end != text.data() + text.size() || threads < 1 || threads > most)
+      throw InputError(fmt::format("threads must be a whole number from 1 to {}, found {}", most, text));
+    return threads;
+  }
+  return 1;
 }
 
 /// A run would not be what its line of the table says.
@@ -81,6 +98,7 @@ void prepare_grid(const StudyDescription& study, std::size_t number, const std::
     run.grid = number;
     run.axis_values = grid.values_of(k);
     try {
+      run.threads = threads_of(grid, run.axis_values);
       run.scene = read_scene(file, overrides_of(grid, run.axis_values, set));
       any = true;
     } catch (const InputError& error) {
@@ -137,8 +155,9 @@ void advance_to(double time, Simulation& simulation, RecordedHistory& history, S
     simulation.advance(time);
     if (history.due(simulation.time())) history.add(simulation);
   }
-  run.cpu_seconds += thread_seconds() - start_of_thread;
-  run.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  run.cpu_seconds += run.threads == 1 ? thread_seconds() - start_of_thread : wall;
+  run.seconds += wall;
   run.steps = simulation.step();
 }
 
@@ -148,6 +167,7 @@ void repeat_if_short(const StudyGrid& grid, StudyRun& run) {
   if (run.cpu_seconds > short_run) return;
   for (int again = 0; again < 2; ++again) {
     StudyRun other;
+    other.threads = run.threads;
     RecordedHistory history(grid, *run.scene);
     const auto simulation = make_simulation(*run.scene);
     for (const double time : grid.times) advance_to(time, *simulation, history, other);
@@ -196,15 +216,15 @@ double expected_work(const StudyRun& run) {
 }
 
 /// Calls work(item) for all items on several threads; the first exception is thrown on when all have stopped.
-void share_out(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
+void share_out(const std::vector<std::size_t>& items, int threads, const std::function<void(std::size_t)>& work) {
+  const std::size_t count = items.size();
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::exception_ptr fault;
   const auto worker = [&] {
-    set_thread_count(1);  // holds for this thread
     for (std::size_t item = next++; item < count; item = next++) {
       try {
-        work(item);
+        work(items[item]);
       } catch (...) {
         const std::scoped_lock lock(mutex);
         if (!fault) fault = std::current_exception();
@@ -219,6 +239,10 @@ void share_out(std::size_t count, int threads, const std::function<void(std::siz
 }
 
 }  // namespace
+
+bool has_threads_axis(const StudyGrid& grid) {
+  return std::ranges::find(grid.axes, threads_axis, &StudyAxis::key) != grid.axes.end();
+}
 
 std::vector<StudyRun> prepare_study(const StudyDescription& study, const std::vector<std::string>& set) {
   std::vector<StudyRun> runs;
@@ -239,15 +263,20 @@ void run_study(const StudyDescription& study, std::vector<StudyRun>& runs, int t
     }
   // The longest first: the last ones are then short, and no thread waits long for another.
   std::ranges::stable_sort(waiting, std::greater<>(), [&](std::size_t k) { return expected_work(runs[k]); });
+  const auto alone = std::ranges::stable_partition(
+      waiting, [&](std::size_t k) { return !has_threads_axis(study.grids[runs[k].grid]); });
   std::size_t done = runs.size() - waiting.size();
-  share_out(waiting.size(), threads, [&](std::size_t item) {
-    StudyRun& run = runs[waiting[item]];
+  const auto perform_one = [&](std::size_t number) {
+    StudyRun& run = runs[number];
+    set_thread_count(run.threads);  // holds for this thread
     if (run.scene) perform_or_note(study.grids[run.grid], exact, run);
     const std::scoped_lock lock(mutex);
     if (keep) keep(run);
     done_work += expected_work(run);
     progress({++done, runs.size(), all_work > 0.0 ? done_work / all_work : 1.0});
-  });
+  };
+  share_out({waiting.begin(), alone.begin()}, threads, perform_one);
+  share_out({alone.begin(), alone.end()}, 1, perform_one);
 }
 
 }  // namespace anvil

@@ -38,11 +38,17 @@ struct StudyRun {
   std::vector<StudyRow> rows;  // up to where the run came
   std::size_t particles = 0;
   std::int64_t steps = 0;
-  double neighbours = 0.0;   // of a particle, at the start
-  double seconds = 0.0;      // wall time of the steps
-  double cpu_seconds = 0.0;  // CPU time of the steps; the least of three where it is short
-  bool known = false;        // from an earlier start of the study: not to be run again
+  double neighbours = 0.0;  // of a particle, at the start
+  int threads = 1;          // by the axis `threads`
+  double seconds = 0.0;     // wall time of the steps
+  // CPU time of the steps, on several threads their wall time; the least of three where it is short.
+  double cpu_seconds = 0.0;
+  bool known = false;  // from an earlier start of the study: not to be run again
 };
+
+/// The axis that is no key of a scene: on how many threads a run takes its steps.
+inline constexpr std::string_view threads_axis = "threads";
+[[nodiscard]] bool has_threads_axis(const StudyGrid& grid);
 
 /// How far a study is.
 struct StudyPosition {
@@ -59,8 +65,9 @@ using StudyKeeper = std::function<void(const StudyRun& run)>;
 /// a whole grid (its scene is missing, a key does not exist), and when `set` names an axis.
 std::vector<StudyRun> prepare_study(const StudyDescription& study, const std::vector<std::string>& set);
 
-/// Runs what is prepared and not known, side by side on `threads` threads, each run on one, the longest first. A run
-/// that fails is an outcome and keeps the others going.
+/// Runs what is prepared and not known, side by side on `threads` threads, each run on one, the longest first. Grids
+/// with an axis `threads` come after that, one run at a time. A run that fails is an outcome and keeps the others
+/// going.
 void run_study(const StudyDescription& study, std::vector<StudyRun>& runs, int threads, const StudyProgress& progress,
                const StudyKeeper& keep = {});
 

@@ -87,6 +87,23 @@ TEST(StudyRunner, LetsNobodyOverrideAnAxis) {
   EXPECT_EQ(run(small_study(), 2, {"discretisation.kernel=gaussian"}).size(), 6U);
 }
 
+TEST(StudyRunner, TakesThreadsAsAnAxis) {
+  StudyDescription study = small_study();
+  study.grids[0].axes = {{"threads", {"1", "2", "0", "many"}}};
+  const auto runs = run(study, 2);
+  ASSERT_EQ(runs.size(), 4U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    ASSERT_EQ(runs[k].status, StudyStatus::finished) << runs[k].reason;
+    EXPECT_EQ(runs[k].threads, static_cast<int>(k) + 1);
+    EXPECT_GT(runs[k].cpu_seconds, 0.0);
+    EXPECT_EQ(runs[k].rows[1].values[0], runs[0].rows[1].values[0]);
+  }
+  for (std::size_t k = 2; k < 4; ++k) {
+    EXPECT_EQ(runs[k].status, StudyStatus::refused);
+    EXPECT_NE(runs[k].reason.find("whole number"), std::string::npos) << runs[k].reason;
+  }
+}
+
 TEST(StudyRunner, TellsHowFarItIs) {
   std::vector<std::size_t> seen;
   double share = 0.0;
