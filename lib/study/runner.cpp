@@ -263,8 +263,8 @@ void run_study(const StudyDescription& study, std::vector<StudyRun>& runs, int t
     }
   // The longest first: the last ones are then short, and no thread waits long for another.
   std::ranges::stable_sort(waiting, std::greater<>(), [&](std::size_t k) { return expected_work(runs[k]); });
-  const auto alone = std::ranges::stable_partition(
-      waiting, [&](std::size_t k) { return !has_threads_axis(study.grids[runs[k].grid]); });
+  const auto alone = std::stable_partition(waiting.begin(), waiting.end(),
+                                           [&](std::size_t k) { return !has_threads_axis(study.grids[runs[k].grid]); });
   std::size_t done = runs.size() - waiting.size();
   const auto perform_one = [&](std::size_t number) {
     StudyRun& run = runs[number];
@@ -275,8 +275,8 @@ void run_study(const StudyDescription& study, std::vector<StudyRun>& runs, int t
     done_work += expected_work(run);
     progress({++done, runs.size(), all_work > 0.0 ? done_work / all_work : 1.0});
   };
-  share_out({waiting.begin(), alone.begin()}, threads, perform_one);
-  share_out({alone.begin(), alone.end()}, 1, perform_one);
+  share_out({waiting.begin(), alone}, threads, perform_one);
+  share_out({alone, waiting.end()}, 1, perform_one);
 }
 
 }  // namespace anvil
