@@ -20,6 +20,7 @@ inline constexpr FieldKey plastic_strain{"plastic_strain", "", "accumulated equi
 inline constexpr FieldKey viscous_pressure{"viscous_pressure", "Pa", "of the bulk viscosity"};
 inline constexpr FieldKey deformation_gradient{"deformation_gradient", "",
                                                "d x_a / d X_b, X where it was at the start"};
+inline constexpr FieldKey eroded{"eroded", "", "1 where a stress point carries no stress any more, else 0"};
 inline constexpr FieldKey plastic_dilation{"plastic_dilation", "", "accumulated plastic volume strain"};
 inline constexpr FieldKey specific_energy{"specific_energy", "J/kg", "internal, what the equation of state reads"};
 inline constexpr FieldKey kick_energy{"kick_energy", "J/kg",

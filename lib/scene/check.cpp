@@ -231,6 +231,9 @@ void check_total_lagrangian(const Scene& scene, Contradictions& found) {
     if (scene.stabiliser.method != "none")
       refuse("stabiliser.method", fmt::format("{} belongs to the method total_lagrangian, whose lattice never changes",
                                               scene.stabiliser.method));
+    if (scene.stabiliser.erosion_stretch > 0.0)
+      refuse("stabiliser.erosion_stretch",
+             "erosion takes out stress points that stay what they were at the start, those of total_lagrangian");
     return;
   }
   if (scene.discretisation.momentum_form != "sum")

@@ -93,6 +93,7 @@ struct Stabiliser {
   double conservative_smoothing;  // alpha_cs, 0 switches it off
   std::string smoothing_form;
   double density_diffusion;  // delta, 0 switches it off
+  double erosion_stretch;    // of total Lagrangian stress points, 0 switches it off
   bool operator==(const Stabiliser&) const = default;
 };
 

@@ -207,6 +207,13 @@ Section<Stabiliser> stabiliser_section() {
             .help = "delta of the diffusion of density between neighbours (Molteni and Colagrossi 2009), about 0.1; 0 "
                     "switches it off"},
            &Stabiliser::density_diffusion},
+          {{.name = "erosion_stretch",
+            .standard = 0.0,
+            .range = Range::fraction,
+            .help =
+                "in total_lagrangian: stress points squeezed to a smaller part of their thickness, or turned inside "
+                "out, carry no stress from then on, about 0.01; 0 switches it off"},
+           &Stabiliser::erosion_stretch},
       }};
 }
 

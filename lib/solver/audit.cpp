@@ -97,7 +97,7 @@ std::vector<AuditValue> Solver<D>::audit() const {
   }
   const double kinetic = kinetic_energy(), elastic = elastic_energy();
   double total = kinetic + energy_stored_by_walls() - ledger_.gravity_work + ledger_.smoothing_loss +
-                 ledger_.wall_loss + ledger_.contact_loss;
+                 ledger_.wall_loss + ledger_.contact_loss + ledger_.erosion_loss;
   // Plastic work and viscous heat are part of the internal energy where there is one.
   total += specific_energy_.empty() ? elastic + ledger_.plastic_work + ledger_.viscous_loss : internal_energy();
   const Vec<D> present = momentum();
@@ -118,6 +118,11 @@ std::vector<AuditValue> Solver<D>::audit() const {
   row.push_back({"viscous_loss", energy, ledger_.viscous_loss});
   row.push_back({"smoothing_loss", energy, ledger_.smoothing_loss});
   row.push_back({"wall_loss", energy, ledger_.wall_loss});
+  if (recipe_.erosion) {
+    row.push_back({"erosion_loss", energy, ledger_.erosion_loss});
+    row.push_back({"eroded_mass", summed_unit("kg", D), eroded_mass(fields_)});
+    if (recipe_.edges) row.push_back({"eroded_edge_mass", summed_unit("kg", D), eroded_mass(recipe_.edges->fields())});
+  }
   if (recipe_.contact) {
     row.push_back({"contact_loss", energy, ledger_.contact_loss});
     row.push_back({"contact_penetration", "m", recipe_.contact->deepest_penetration()});

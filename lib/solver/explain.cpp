@@ -34,6 +34,7 @@ Explanation Solver<D>::explain() const {
     add("deformation_gradient", "d x_a / d X_b and its rate from the pairs and corrected gradients of the start");
   else
     add("velocity_gradient", "d v_a / d x_b from velocity differences");
+  if (recipe_.erosion) add("erosion", "stress points that are squeezed too far carry no stress any more");
   if (recipe_.density_diffusion > 0.0) add("density_diffusion", "exchanges density between neighbours");
   add("continuity", smoothing_length_varies_ ? "density and smoothing length follow the divergence"
                                              : "density follows the divergence");

@@ -80,7 +80,7 @@ Frame Solver<D>::frame() const {
   }
   frame.arrays = {std::move(id),      std::move(body),     std::move(initial), std::move(velocity),
                   std::move(density), std::move(pressure), std::move(stress),  std::move(smoothing_length)};
-  for (const FieldKey* key : {&field::plastic_strain, &field::specific_energy}) {
+  for (const FieldKey* key : {&field::plastic_strain, &field::specific_energy, &field::eroded}) {
     std::vector<double> values = values_of(*key);
     if (values.empty()) continue;
     FrameArray array = array_of(*key, 1, particles);

@@ -25,7 +25,8 @@ void Solver<D>::check_reports() const {
   for (const auto& report : reports_) {
     if (report.inverted_edge_at >= 0)
       stop_at(report.inverted_edge_at,
-              "an edge at it has turned inside out: the body is deformed further than its lattice can follow");
+              "an edge at it has turned inside out: the body is deformed further than its lattice can follow; "
+              "stabiliser.erosion_stretch = 0.01 takes such points out");
     if (report.broken_particle < 0) continue;
     const auto i = static_cast<std::size_t>(report.broken_particle);
     if (!std::isfinite(position_[i].sum()) || !std::isfinite(velocity_[i].sum()))

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "anvil/solver/tiles.hpp"
 
@@ -207,15 +208,19 @@ void Solver<D>::strain_tiles(std::span<const std::int32_t> particles, std::span<
     deform_from_reference(tile, scratch, time_step, report);
   });
   for (const std::int32_t tile : particles) {
-    const auto& report = reports_[static_cast<std::size_t>(tile)];
+    auto& report = reports_[static_cast<std::size_t>(tile)];
     ledger_.viscous_loss += report.bulk_viscous_loss;
     ledger_.plastic_work += report.plastic_work;
+    ledger_.erosion_loss += std::exchange(report.erosion_loss, 0.0);
   }
   if (!recipe_.edges) return;
   for_each_tile_of(edges, [&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
     deform_edges(tile, scratch, time_step, report);
   });
-  for (const std::int32_t tile : edges) ledger_.plastic_work += reports_[static_cast<std::size_t>(tile)].plastic_work;
+  for (const std::int32_t tile : edges) {
+    ledger_.plastic_work += reports_[static_cast<std::size_t>(tile)].plastic_work;
+    ledger_.erosion_loss += std::exchange(reports_[static_cast<std::size_t>(tile)].erosion_loss, 0.0);
+  }
 }
 
 #define ANVIL_INSTANTIATE(D)                  \

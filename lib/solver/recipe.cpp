@@ -331,6 +331,11 @@ Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& rang
     edges = std::make_unique<EdgePoints<D>>(fields, ranges, scene.discretisation.spacing, recipe.images);
     recipe.edges = edges.get();
   }
+  if (scene.stabiliser.erosion_stretch > 0.0) {
+    recipe.erosion = scene.stabiliser.erosion_stretch;
+    fields.require(field::eroded);
+    if (edges) edges->fields().require(field::eroded);
+  }
   for (std::size_t b = 0; b < ranges.size(); ++b) {
     const MaterialDescription& material = material_of(scene, scene.bodies[b]);
     const Strength strength = make_strength(material.strength);

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,7 @@ struct Recipe {
   std::unique_ptr<Deformation<D>> deformation;
   const NominalMomentum<D>* nominal_momentum = nullptr;  // of a total Lagrangian scene, one of the forces
   EdgePoints<D>* edges = nullptr;                        // one of the forces
+  std::optional<double> erosion;                         // the stretch below which stress points are eroded
   std::vector<const WallPenalty<D>*> wall_penalties;     // among the forces
   std::unique_ptr<Contact<D>> contact;                   // where sums do not join bodies
   Images<D> images;                            // behind symmetry planes and mirror walls, beyond the ends of periods

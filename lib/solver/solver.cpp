@@ -105,6 +105,8 @@ void Solver<D>::size_scratch() {
     scratch.loss.resize(tile_size);
     scratch.sound_speed.resize(tile_size);
     scratch.per_edge.resize(static_cast<std::size_t>(most_edges) * D * D);
+    if (recipe_.erosion)
+      scratch.density_before.resize(static_cast<std::size_t>(std::max<std::int32_t>(tile_size, most_edges)));
     scratch.step_limit.resize(tile_size);
     if (D == 1) scratch.lateral_rate.resize(tile_size);
   }

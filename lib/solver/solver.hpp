@@ -21,6 +21,7 @@ struct TileReport {
   double plastic_work = 0.0;                               // J
   double viscous_loss = 0.0;                               // J
   double bulk_viscous_loss = 0.0;                          // J
+  double erosion_loss = 0.0;                               // J, not yet in the ledger
   double smoothing_loss = 0.0;                             // J
   Vec<D> smoothing_impulse = Vec<D>::Zero();               // N s
   double wall_loss = 0.0;                                  // J
@@ -54,6 +55,7 @@ struct Ledger {
   double smoothing_loss = 0.0;                // J
   double wall_loss = 0.0;                     // J
   double contact_loss = 0.0;                  // J
+  double erosion_loss = 0.0;                  // J
   Vec<D> smoothing_impulse = Vec<D>::Zero();  // N s
   Vec<D> wall_impulse = Vec<D>::Zero();       // N s
   Vec<D> pressure_impulse = Vec<D>::Zero();   // N s
@@ -92,8 +94,9 @@ class Solver final : public Simulation {
   };
   struct Scratch {  // of one thread
     std::vector<double> gradient[D], plain_gradient[D], value;
-    std::vector<double> per_particle;  // velocity gradients, accelerations or changes of the tile
-    std::vector<double> per_edge;      // velocity gradients
+    std::vector<double> per_particle;    // velocity gradients, accelerations or changes of the tile
+    std::vector<double> per_edge;        // velocity gradients
+    std::vector<double> density_before;  // of the points of the tile, kg/m3; only with erosion
     std::vector<double> loss, sound_speed, step_limit, lateral_rate;
   };
 
@@ -119,6 +122,10 @@ class Solver final : public Simulation {
   void deform_edges(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
   void limit_and_check_deformed(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report);
   void collect_strain_reports();
+
+  void erode_particles(const Tile& tile, Scratch& scratch, TileReport<D>& report);  // erosion.cpp
+  void erode_edges(const Tile& tile, Scratch& scratch, TileReport<D>& report);
+  double eroded_mass(const FieldStore& points) const;
 
   void find_near_tiles();  // local_steps.cpp
   void advance_locally(double latest);

@@ -13,7 +13,7 @@ template <int D>
 std::vector<double> ledger_numbers(const Ledger<D>& ledger) {
   std::vector<double> numbers = {ledger.plastic_work, ledger.viscous_loss,  ledger.smoothing_loss, ledger.wall_loss,
                                  ledger.start_energy, ledger.pressure_work, ledger.uncorrected,    ledger.gravity_work,
-                                 ledger.wall_work,    ledger.penetrations,  ledger.contact_loss};
+                                 ledger.wall_work,    ledger.penetrations,  ledger.contact_loss,   ledger.erosion_loss};
   for (const Vec<D>* vector : {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse,
                                &ledger.gravity_impulse, &ledger.start_momentum})
     numbers.insert(numbers.end(), vector->data(), vector->data() + D);
@@ -34,7 +34,8 @@ Ledger<D> ledger_from(const std::vector<double>& numbers) {
   ledger.wall_work = numbers[8];
   ledger.penetrations = numbers[9];
   ledger.contact_loss = numbers[10];
-  const double* next = numbers.data() + 11;
+  ledger.erosion_loss = numbers[11];
+  const double* next = numbers.data() + 12;
   for (Vec<D>* vector : {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse,
                          &ledger.gravity_impulse, &ledger.start_momentum}) {
     for (int a = 0; a < D; ++a) (*vector)[a] = *next++;
@@ -87,7 +88,7 @@ void Solver<D>::restore(const State& state) {
       (void)numbers_of<double>(state, "edge/" + std::string(field.key->name), field.values.size());
   const auto& clock = numbers_of<double>(state, clock_name, 4);
   const auto& counts = numbers_of<std::int64_t>(state, counts_name, 3);
-  const auto& ledger = numbers_of<double>(state, ledger_name, 11 + 5 * D);
+  const auto& ledger = numbers_of<double>(state, ledger_name, 12 + 5 * D);
   if (local_steps_) (void)numbers_of<double>(state, local_steps_name, 2 * tiles_.size());
   const auto load = [&](const std::string& kind, FieldStore& store) {
     // The views of the terms point into the fields: their memory stays where it is.

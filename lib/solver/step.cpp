@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "anvil/core/field_keys.hpp"
 #include "anvil/solver/tiles.hpp"
@@ -308,9 +309,10 @@ void Solver<D>::strain(double time_step) {
 template <int D>
 void Solver<D>::collect_strain_reports() {
   step_limit_ = std::numeric_limits<double>::max();
-  for (const auto& report : reports_) {
+  for (auto& report : reports_) {
     ledger_.plastic_work += report.plastic_work;
     ledger_.viscous_loss += report.bulk_viscous_loss;
+    ledger_.erosion_loss += std::exchange(report.erosion_loss, 0.0);
     ledger_.uncorrected += report.uncorrected;
     if (report.step_limit < step_limit_) {
       step_limit_ = report.step_limit;
@@ -392,7 +394,8 @@ void Solver<D>::respond_tile(const Tile& tile, Scratch& scratch, double time_ste
     std::copy_n(kept, tile.range.count(), pressure_.data() + tile.range.begin);
   if (recipe_.bulk_viscosity && time_step > 0.0)
     report.bulk_viscous_loss =
-        recipe_.bulk_viscosity->update(tile.range, scratch.per_particle.data(), scratch.sound_speed.data(), time_step);
+        recipe_.bulk_viscosity->update(tile.range, scratch.per_particle.data(), scratch.sound_speed.data(), time_step,
+                                       [&](std::size_t i) { return recipe_.bulk_viscosity->even_stretch(i); });
   pack_limit_and_check(tile, scratch, report);
   for (const auto& force : recipe_.forces) force->pack(tile.range, records_);
 }

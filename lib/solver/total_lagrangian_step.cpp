@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The half of a step in which total Lagrangian particles differ: what strains them follows from the configuration they
 // started in, and their stress returns to it.
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "anvil/core/field_keys.hpp"
 #include "anvil/solver/tiles.hpp"
 
 namespace anvil {
@@ -31,20 +34,29 @@ void Solver<D>::deform_from_reference(const Tile& tile, Scratch& scratch, double
   report.bulk_viscous_loss = 0.0;
   if (time_step > 0.0) {
     loops_.velocity_gradient(open_tile(tile, scratch, {.gradient = true}), records_, velocity_gradient);
+    if (recipe_.erosion)
+      std::copy_n(density_.begin() + tile.range.begin, tile.range.count(), scratch.density_before.begin());
     recipe_.deformation->advance(tile.range, velocity_gradient, time_step);
+    if (recipe_.erosion) erode_particles(tile, scratch, report);
     if (!recipe_.edges) report.plastic_work = body.strength->update(tile.range, velocity_gradient, nullptr, time_step);
   }
   body.eos->update(tile.range, scratch.sound_speed.data());
   if (recipe_.bulk_viscosity && time_step > 0.0)
     report.bulk_viscous_loss =
-        recipe_.bulk_viscosity->update(tile.range, velocity_gradient, scratch.sound_speed.data(), time_step);
+        recipe_.bulk_viscosity->update(tile.range, velocity_gradient, scratch.sound_speed.data(), time_step,
+                                       [&](std::size_t i) { return recipe_.deformation->least_stretch(i); });
   limit_and_check_deformed(tile, scratch.sound_speed.data(), report);
 }
 
 template <int D>
 void Solver<D>::deform_edges(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report) {
   const ParticleRange edges = recipe_.edges->edges_from(tile.range);
+  if (recipe_.erosion) {
+    const std::span<const double> density = std::as_const(*recipe_.edges).fields().scalar(field::density);
+    std::copy_n(density.begin() + edges.begin, edges.count(), scratch.density_before.begin());
+  }
   report.inverted_edge_at = recipe_.edges->deform(edges, *recipe_.deformation, time_step, scratch.per_edge.data());
+  if (recipe_.erosion) erode_edges(tile, scratch, report);
   if (time_step > 0.0)
     report.plastic_work = recipe_.bodies[static_cast<std::size_t>(tile.body)].strength->update(
         edges, scratch.per_edge.data(), nullptr, time_step);
@@ -56,11 +68,13 @@ template <int D>
 void Solver<D>::limit_and_check_deformed(const Tile& tile, const double* bulk_sound_speed_squared,
                                          TileReport<D>& report) {
   const double shear_modulus = recipe_.bodies[static_cast<std::size_t>(tile.body)].strength->shear_modulus();
+  const double* eroded = recipe_.erosion ? fields_.scalar(field::eroded).data() : nullptr;
   report.step_limit = std::numeric_limits<double>::max();
   for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
     const double wave_speed = std::sqrt(*bulk_sound_speed_squared++ + 4.0 / 3.0 * shear_modulus / density_[i]);
-    const double limit =
-        scene_.time.cfl * scene_.discretisation.spacing * recipe_.deformation->least_stretch(i) / wave_speed;
+    const double stretch = eroded != nullptr && eroded[i] != 0.0 ? std::numeric_limits<double>::max()
+                                                                 : recipe_.deformation->least_stretch(i);
+    const double limit = scene_.time.cfl * scene_.discretisation.spacing * stretch / wave_speed;
     const bool sound = density_[i] > 0.0 && limit > 0.0 && std::isfinite(pressure_[i]);
     if (!sound && report.broken_particle < 0) report.broken_particle = static_cast<std::int32_t>(i);
     if (limit < report.step_limit) {

@@ -38,6 +38,11 @@ class EdgePoints final : public ForceTerm<D> {
   /// Returns the particle at the first end of an edge that has turned inside out, -1 if there is none.
   [[nodiscard]] std::int32_t deform(ParticleRange edges, const Deformation<D>& particles, double time_step,
                                     double* velocity_gradients);
+  /// Of an edge: see Deformation::least_stretch.
+  [[nodiscard]] double least_stretch(std::size_t e) const {
+    const Square<D> f = ConstSquareMap<D>(&deformation_[e * D * D]), c = cofactor<D>(f);
+    return std::sqrt(static_cast<double>(D)) * determinant<D>(f, c) / c.norm();
+  }
   /// Takes the edges' new deviators to the reference configuration.
   void pull_back(ParticleRange edges);
   /// Multiplies what pull_back gave by `span` (s, or none: zero): forces become impulses.
