@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "anvil/core/error.hpp"
+#include "anvil/measures/whole.hpp"
 #include "anvil/output/atomic_file.hpp"
 #include "command_line.hpp"
 #include "frames.hpp"
@@ -134,8 +135,8 @@ Surroundings surroundings_of(const fs::path& result) {
 /// Reads frames as they are drawn: renamed and completed beyond the symmetry planes.
 class DrawnFrames {
  public:
-  DrawnFrames(const po::variables_map& values, std::vector<Plane> mirrors)
-      : names_(array_names_from(values)), mirrors_(std::move(mirrors)) {
+  DrawnFrames(const po::variables_map& values, const std::vector<Plane>& mirrors)
+      : names_(array_names_from(values)), mirrors_(planes_to_the_whole(mirrors)) {
     if (values["no-mirror"].as<bool>()) mirrors_.clear();
     for (const auto& text : repeated(values, "mirror")) mirrors_.push_back(plane_of("mirror", text));
   }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "anvil/core/error.hpp"
 #include "anvil/measures/balance.hpp"
@@ -25,12 +26,24 @@ RodShape rod_shape(const Scene& scene) {
   return {scene.discretisation.spacing, upper[0], upper[2]};
 }
 
-/// What a quantity of the modelled part is multiplied by: planes of symmetry through the axis each hide a half.
+/// What a quantity of the modelled part is multiplied by: how many images planes of symmetry through the axis give, the
+/// part itself with them.
 double whole_over_part(const Scene& scene) {
-  return std::ldexp(
-      1.0, static_cast<int>(std::count_if(scene.boundaries.begin(), scene.boundaries.end(), [](const auto& boundary) {
-        return boundary.entry.type == "symmetry_plane";
-      })));
+  constexpr double rounding = 1e-6;
+  std::vector<Mat<3>> mirrors, turns = {Mat<3>::Identity()};
+  for (const auto& boundary : scene.boundaries) {
+    if (boundary.entry.type != "symmetry_plane") continue;
+    const Vec<3> normal = Vec<3>(boundary.entry.parameters.numbers("normal").data()).normalized();
+    mirrors.emplace_back(Mat<3>::Identity() - 2.0 * normal * normal.transpose());
+  }
+  for (std::size_t k = 0; k < turns.size(); ++k) {
+    for (const auto& mirror : mirrors) {
+      const Mat<3> turn = mirror * turns[k];
+      const auto is_same = [&](const Mat<3>& other) { return (turn - other).cwiseAbs().maxCoeff() < rounding; };
+      if (std::none_of(turns.begin(), turns.end(), is_same)) turns.push_back(turn);
+    }
+  }
+  return static_cast<double>(turns.size());
 }
 
 Rod rod_of(const Result& result) { return {result.frame, rod_shape(result.scene)}; }

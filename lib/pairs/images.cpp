@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "anvil/core/threads.hpp"
 
@@ -14,7 +15,10 @@ constexpr double same = 1e-9;  // of one, or of the scene's size: transforms tha
 
 template <int D>
 Transform<D> reflection(const MirrorPlane<D>& plane) {
-  const Mat<D> turn = Mat<D>::Identity() - 2.0 * plane.normal * plane.normal.transpose();
+  Mat<D> turn = Mat<D>::Identity() - 2.0 * plane.normal * plane.normal.transpose();
+  // Planes along axes and diagonals swap coordinates to the last bit, although the root of two is not exact.
+  constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+  turn = turn.unaryExpr([](double x) { return std::abs(x - std::round(x)) < rounding ? std::round(x) + 0.0 : x; });
   return {turn, 2.0 * plane.normal.dot(plane.point) * plane.normal,
           plane.reverses_velocity ? Mat<D>(-Mat<D>::Identity()) : turn};
 }

@@ -369,6 +369,7 @@ std::vector<Contradiction> find_contradictions(const Scene& scene) {
   check_planes_and_periods(scene, found);
   check_method(scene, found);
   check_total_lagrangian(scene, found);
+  check_mirrored_lattices(scene, found);
   check_local_steps(scene, found);
   check_hllc(scene, found);
   check_neighbours(scene, found);

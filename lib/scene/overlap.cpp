@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "anvil/scene/cut.hpp"
 #include "anvil/scene/placement.hpp"
 #include "anvil/scene/shape.hpp"
 
@@ -65,7 +66,8 @@ bool bodies_overlap(const BodyDescription& first, const BodyDescription& second,
   const auto second_shape = make_shape<D>(second.shape);
   const bool turned_alike = first.rotation == second.rotation;
   if (turned_alike && !surrounding_boxes_overlap<D>(*first_shape, *second_shape, spacing)) return false;
-  if (turned_alike && is_box<D>(*first_shape) && is_box<D>(*second_shape)) return true;
+  const bool whole = !cut_of<D>(first.shape) && !cut_of<D>(second.shape);
+  if (turned_alike && whole && is_box<D>(*first_shape) && is_box<D>(*second_shape)) return true;
   const auto placed = place_body<D>(first, spacing);
   const Cells<D> cells(placed.positions, 0.5 * spacing);
   for (const auto& position : place_body<D>(second, spacing).positions)

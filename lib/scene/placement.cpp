@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <random>
 
 #include "anvil/core/error.hpp"
 #include "anvil/scene/concentric.hpp"
+#include "anvil/scene/cut.hpp"
 
 namespace anvil {
 
@@ -63,8 +65,8 @@ using Index = std::array<long long, D>;
 template <int D>
 class FilledCells {
  public:
-  FilledCells(const Shape<D>& shape, const Index<D>& cells, double spacing)
-      : shape_(shape), cells_(cells), spacing_(spacing) {}
+  FilledCells(const Shape<D>& shape, const std::optional<Cut<D>>& cut, const Index<D>& cells, double spacing)
+      : shape_(shape), cut_(cut), cells_(cells), spacing_(spacing) {}
   [[nodiscard]] Vec<D> middle(Index<D> cell) const {
     for (auto& along : cell) along = 2 * along + 1;
     return lattice_offset<D>(cell, cells_, spacing_);
@@ -73,6 +75,14 @@ class FilledCells {
     for (std::size_t axis = 0; axis < D; ++axis)
       if (cell[axis] < 0 || cell[axis] >= cells_[axis]) return false;
     return shape_.contains(middle(cell));
+  }
+  /// The part of what stands at a place that its cell or face, with that middle, has within the shape: less than one
+  /// where the shape is cut. Symmetric about the cut, both halves of a cell and of a particle are alike.
+  [[nodiscard]] double part(const Vec<D>& place, const Vec<D>& middle) const {
+    if (!cut_) return 1.0;
+    const double on_plane = 1e-6 * spacing_;
+    if (cut_->height(place) < -on_plane || cut_->height(middle) < -on_plane) return 0.0;
+    return cut_->height(place) < on_plane && cut_->height(middle) < on_plane ? 0.5 : 1.0;
   }
   /// Calls visit(axis, upper) for each side on which a cell of the shape ends it.
   template <class Visit>
@@ -88,25 +98,28 @@ class FilledCells {
 
  private:
   const Shape<D>& shape_;
+  std::optional<Cut<D>> cut_;
   Index<D> cells_;
   double spacing_;
 };
 
 /// One particle in the middle of each cell of the shape.
 template <int D>
-PlacedBody<D> fill_cells(const Shape<D>& shape, const Index<D>& cells, double spacing) {
+PlacedBody<D> fill_cells(const FilledCells<D>& filled, const Index<D>& cells, double spacing) {
   PlacedBody<D> placed;
-  const FilledCells<D> filled(shape, cells, spacing);
   const double area = std::pow(spacing, D - 1);
   for_each_index<D>(cells, [&](const Index<D>& cell) {
     if (!filled.contains(cell)) return;
     filled.for_each_open_side(cell, [&](std::size_t axis, bool upper) {
       const Vec<D> outward = (upper ? 0.5 : -0.5) * spacing * Vec<D>::Unit(static_cast<int>(axis));
-      placed.surface.push_back({static_cast<std::int32_t>(placed.positions.size()), outward, area});
+      const Vec<D> middle = filled.middle(cell) + outward;
+      const double part = filled.part(middle, middle);
+      if (part > 0.0)
+        placed.surface.push_back({static_cast<std::int32_t>(placed.positions.size()), outward, part * area});
     });
     placed.positions.push_back(filled.middle(cell));
+    placed.volumes.push_back(filled.part(filled.middle(cell), filled.middle(cell)));
   });
-  placed.volumes.assign(placed.positions.size(), 1.0);
   return placed;
 }
 
@@ -143,18 +156,6 @@ std::array<Index<D>, D == 3 ? 4 : (D == 2 ? 2 : 1)> face_corners(const Index<D>&
   }
 }
 
-/// Gives each particle its part of the facets it is a corner of.
-template <int D>
-void share_facets(PlacedBody<D>& placed, double spacing) {
-  constexpr std::size_t corners = D == 1 ? 1 : BodyFacet<D>{}.size();
-  std::vector<double> area(placed.positions.size(), 0.0);
-  for (const BodyFacet<D>& facet : placed.facets)
-    for (std::size_t k = 0; k < corners; ++k)
-      area[static_cast<std::size_t>(facet[k])] += std::pow(spacing, D - 1) / static_cast<double>(corners);
-  for (std::size_t i = 0; i < area.size(); ++i)
-    if (area[i] > 0.0) placed.surface.push_back({static_cast<std::int32_t>(i), Vec<D>::Zero(), area[i]});
-}
-
 /// Calls visit(index) as for_each_index does, but the axis with the most indices changes slowest: what is visited one
 /// after the other then lies in slabs across a long body, with few neighbours outside.
 template <int D, class Visit>
@@ -171,50 +172,78 @@ void for_each_index_in_slabs(const Index<D>& count, Visit&& visit) {
   });
 }
 
+/// A face between a cell of the shape and the outside.
+template <int D>
+struct OpenFace {
+  Index<D> cell;
+  std::size_t axis;
+  bool upper;
+};
+
+/// The place of a corner of the cells, from the middle of the lattice.
+template <int D>
+Vec<D> corner_offset(Index<D> corner, const Index<D>& cells, double spacing) {
+  for (auto& along : corner) along *= 2;
+  return lattice_offset<D>(corner, cells, spacing);
+}
+
+/// The facets of faces whose corners are all particles, and of every face the parts that belong to its corners.
+template <int D>
+void place_faces(const std::vector<OpenFace<D>>& faces, const FilledCells<D>& filled, const Index<D>& cells,
+                 double spacing, const std::vector<std::int32_t>& particle_at, PlacedBody<D>& placed) {
+  constexpr std::size_t corners = D == 1 ? 1 : BodyFacet<D>{}.size();
+  std::vector<double> area(placed.positions.size(), 0.0);
+  for (const OpenFace<D>& face : faces) {
+    Vec<D> middle = filled.middle(face.cell);
+    middle[static_cast<int>(face.axis)] += (face.upper ? 0.5 : -0.5) * spacing;
+    BodyFacet<D> facet{};
+    if constexpr (D == 1) facet[1] = face.upper ? 1 : -1;
+    std::size_t next = 0;
+    bool whole = true;
+    for (const auto& corner : face_corners<D>(face.cell, face.axis, face.upper)) {
+      const std::int32_t particle = particle_at[corner_number<D>(corner, cells)];
+      const double part = filled.part(corner_offset<D>(corner, cells, spacing), middle);
+      whole = whole && part > 0.0;
+      facet[next++] = particle;
+      if (part > 0.0)
+        area[static_cast<std::size_t>(particle)] += part * std::pow(spacing, D - 1) / static_cast<double>(corners);
+    }
+    if (whole) placed.facets.push_back(facet);
+  }
+  for (std::size_t i = 0; i < area.size(); ++i)
+    if (area[i] > 0.0) placed.surface.push_back({static_cast<std::int32_t>(i), Vec<D>::Zero(), area[i]});
+}
+
 /// One particle on each corner of a cell of the shape, with an equal share of every cell that it belongs to, and the
 /// faces between cells of the shape and the outside.
 template <int D>
-PlacedBody<D> share_cells(const Shape<D>& shape, const Index<D>& cells, double spacing) {
-  const FilledCells<D> filled(shape, cells, spacing);
+PlacedBody<D> share_cells(const FilledCells<D>& filled, const Index<D>& cells, double spacing) {
   Index<D> corners = cells;
   for (auto& count : corners) ++count;
   std::size_t all = 1;
   for (const long long count : corners) all *= static_cast<std::size_t>(count);
   std::vector<double> share(all, 0.0);
-  struct Face {
-    Index<D> cell;
-    std::size_t axis;
-    bool upper;
-  };
-  std::vector<Face> faces;
+  std::vector<OpenFace<D>> faces;
   for_each_index<D>(cells, [&](const Index<D>& cell) {
     if (!filled.contains(cell)) return;
     for (unsigned corner = 0; corner < 1U << D; ++corner) {
       auto index = cell;
       for (std::size_t axis = 0; axis < D; ++axis) index[axis] += corner >> axis & 1U;
-      share[corner_number<D>(index, cells)] += 1.0 / (1U << D);
+      const double part = filled.part(corner_offset<D>(index, cells, spacing), filled.middle(cell));
+      share[corner_number<D>(index, cells)] += part / (1U << D);
     }
     filled.for_each_open_side(cell, [&](std::size_t axis, bool upper) { faces.push_back({cell, axis, upper}); });
   });
   PlacedBody<D> placed;
   std::vector<std::int32_t> particle_at(all, -1);
-  for_each_index_in_slabs<D>(corners, [&](Index<D> index) {
+  for_each_index_in_slabs<D>(corners, [&](const Index<D>& index) {
     const std::size_t number = corner_number<D>(index, cells);
     if (share[number] == 0.0) return;
     particle_at[number] = static_cast<std::int32_t>(placed.positions.size());
-    for (auto& along : index) along *= 2;
-    placed.positions.push_back(lattice_offset<D>(index, cells, spacing));
+    placed.positions.push_back(corner_offset<D>(index, cells, spacing));
     placed.volumes.push_back(share[number]);
   });
-  for (const Face& face : faces) {
-    BodyFacet<D> facet{};
-    if constexpr (D == 1) facet[1] = face.upper ? 1 : -1;
-    std::size_t next = 0;
-    for (const auto& corner : face_corners<D>(face.cell, face.axis, face.upper))
-      facet[next++] = particle_at[corner_number<D>(corner, cells)];
-    placed.facets.push_back(facet);
-  }
-  share_facets(placed, spacing);
+  place_faces<D>(faces, filled, cells, spacing, particle_at, placed);
   return placed;
 }
 
@@ -226,8 +255,9 @@ PlacedBody<D> place_body(const BodyDescription& body, double spacing) {
     if (body.lattice == "concentric") return place_concentric(body, spacing);
   const auto shape = make_shape<D>(body.shape);
   const auto cells = count_cells<D>(*shape, spacing);
+  const FilledCells<D> filled(*shape, cut_of<D>(body.shape), cells, spacing);
   PlacedBody<D> placed =
-      body.lattice == "face_lattice" ? share_cells<D>(*shape, cells, spacing) : fill_cells<D>(*shape, cells, spacing);
+      body.lattice == "face_lattice" ? share_cells<D>(filled, cells, spacing) : fill_cells<D>(filled, cells, spacing);
   if (placed.positions.empty())
     throw InputError(fmt::format("body '{}' holds no particle at a spacing of {} m", body.name, spacing));
   const double scale = shape->volume() / std::accumulate(placed.volumes.begin(), placed.volumes.end(), 0.0);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "anvil/core/error.hpp"
+#include "anvil/scene/cut.hpp"
 #include "anvil/scene/ring.hpp"
 
 namespace anvil {
@@ -23,25 +24,51 @@ Vec<D> to_vector(const std::vector<double>& numbers) {
   return Vec<D>(numbers.data());
 }
 
-/// A box along the axes; in one dimension an interval.
+/// A box along the axes, or its half in front of a cut through its middle; in one dimension an interval.
 template <int D>
 class Box final : public Shape<D> {
  public:
-  Box(const Vec<D>& lower, const Vec<D>& upper) : centre_(0.5 * (lower + upper)), size_(upper - lower) {
+  Box(const Vec<D>& lower, const Vec<D>& upper, const std::optional<Cut<D>>& cut = std::nullopt)
+      : centre_(0.5 * (lower + upper)), size_(upper - lower), cut_(cut) {
     if (!(size_.minCoeff() > 0.0)) throw InputError("every component of max must be larger than that of min");
   }
   [[nodiscard]] Vec<D> centre() const override { return centre_; }
   [[nodiscard]] Vec<D> size() const override { return size_; }
   [[nodiscard]] bool ends_in_planes(int) const override { return true; }
   [[nodiscard]] bool contains(const Vec<D>& offset) const override {
+    if (cut_ && cut_->height(offset) < -1e-12 * size_.norm()) return false;
     return (offset.array().abs() <= 0.5 * size_.array()).all();
   }
-  [[nodiscard]] double volume() const override { return size_.prod(); }
-  [[nodiscard]] double reach(const Vec<D>& direction) const override { return 0.5 * direction.cwiseAbs().dot(size_); }
+  [[nodiscard]] double volume() const override { return cut_ ? 0.5 * size_.prod() : size_.prod(); }
+  [[nodiscard]] double reach(const Vec<D>& direction) const override {
+    if (!cut_) return 0.5 * direction.cwiseAbs().dot(size_);
+    double farthest = 0.0;  // the middle is part of either half
+    for (unsigned at = 0; at < 1U << D; ++at) {
+      const Vec<D> corner = corner_at(at);
+      const double height = cut_->height(corner);
+      if (height >= 0.0) farthest = std::max(farthest, direction.dot(corner));
+      for (int axis = 0; axis < D; ++axis) {
+        const Vec<D> other = corner_at(at ^ (1U << axis));
+        if (height >= 0.0 || cut_->height(other) <= 0.0) continue;
+        const double part = height / (height - cut_->height(other));
+        farthest = std::max(farthest, direction.dot(corner + part * (other - corner)));
+      }
+    }
+    return farthest;
+  }
 
  private:
+  /// A bit per axis: on its upper side.
+  [[nodiscard]] Vec<D> corner_at(unsigned sides) const {
+    Vec<D> corner = 0.5 * size_;
+    for (int axis = 0; axis < D; ++axis)
+      if ((sides >> axis & 1U) == 0) corner[axis] = -corner[axis];
+    return corner;
+  }
+
   Vec<D> centre_;
   Vec<D> size_;
+  std::optional<Cut<D>> cut_;
 };
 
 /// A round bar along one of the axes.
@@ -179,7 +206,8 @@ class Polygon final : public Shape<2> {
 
 template <int D>
 std::unique_ptr<Shape<D>> make_box(const Parameters& keys) {
-  return std::make_unique<Box<D>>(to_vector<D>(keys.numbers("min")), to_vector<D>(keys.numbers("max")));
+  return std::make_unique<Box<D>>(to_vector<D>(keys.numbers("min")), to_vector<D>(keys.numbers("max")),
+                                  cut_of<D>({"box", keys}));
 }
 
 std::unique_ptr<Shape<1>> make_interval(const Parameters& keys) {
@@ -217,7 +245,14 @@ const std::vector<ShapeRow>& shape_rows() {
   static const std::vector<ShapeRow> rows = {
       {.kind = {.type = "box",
                 .summary = "A box along the axes, a rectangle in 2D; each side a whole number of spacings",
-                .keys = {corner("min", "lowest corner"), corner("max", "highest corner")},
+                .keys = {corner("min", "lowest corner"),
+                         corner("max", "highest corner"),
+                         {.name = "half",
+                          .kind = ValueKind::vector,
+                          .help = "leaves the half of the box that this direction points to from its middle, such as "
+                                  "[1, -1, 0] where a symmetry plane runs along the diagonal",
+                          .optional = true,
+                          .derived = "the whole box"}},
                 .dimensions = {2, 3}},
        .make_2d = make_box<2>,
        .make_3d = make_box<3>},

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "anvil/measures/frame_fields.hpp"
+#include "anvil/measures/whole.hpp"
 
 namespace anvil {
 namespace {
@@ -55,6 +56,29 @@ TEST(Mirror, TakesAParticleOnThePlaneForBothItsHalves) {
   EXPECT_EQ(both.positions, (std::vector<double>{1.0, 2.0, 3.0, 0.5, 4.0, 1.0, 0.0, 2.0, 3.0}));
   EXPECT_EQ(both.find("mass")->values, (std::vector<double>{0.5, 0.5, 0.5}));
   EXPECT_EQ(both.find("velocity")->values, (std::vector<double>{1, 2, 3, 0, 5, 6, -1, 2, 3}));
+}
+
+TEST(Mirror, MakesAnEighthTheWhole) {
+  const std::vector<Plane> planes = planes_to_the_whole({{{0, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {1, -1, 0}}});
+  Frame frame;
+  frame.positions = {2.0, 1.0, 3.0, 2.0, 2.0, 3.0};  // beside the diagonal and on it
+  frame.arrays = {{"mass", "kg", 1, false, {1.0, 0.5}}};
+  for (const Plane& plane : planes) frame = with_mirror_image(frame, plane);
+  double mass = 0.0, sum[2] = {0.0, 0.0};
+  for (std::size_t i = 0; i < frame.particle_count(); ++i) {
+    mass += frame.find("mass")->values[i];
+    for (std::size_t a = 0; a < 2; ++a) sum[a] += frame.positions[3 * i + a];
+  }
+  EXPECT_EQ(frame.particle_count(), 8U + 4U);
+  EXPECT_EQ(mass, 12.0);
+  EXPECT_NEAR(sum[0], 0.0, 1e-14);
+  EXPECT_NEAR(sum[1], 0.0, 1e-14);
+}
+
+TEST(Mirror, TakesPlanesThatMeetAtRightAnglesAsTheyAre) {
+  const std::vector<Plane> planes = planes_to_the_whole({{{0, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {1, 0, 0}}});
+  ASSERT_EQ(planes.size(), 2U);
+  EXPECT_EQ(planes[0].normal[1], 1.0);
 }
 
 }  // namespace

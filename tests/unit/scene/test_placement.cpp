@@ -292,6 +292,62 @@ TEST(Placement, FaceLatticeInTwoDimensionsHasFacetsAllRound) {
   expect_facets_to_look_outward<2>(placed, Vec<2>(1e-3, 1.5e-3));
 }
 
+/// The half of a square bar below its diagonal.
+BodyDescription half_bar(const std::string& lattice) {
+  BodyDescription body = box({0.0, 0.0, 0.0}, {3e-3, 3e-3, 2e-3});
+  body.shape.parameters.set("half", std::vector<double>{1.0, -1.0, 0.0});
+  body.lattice = lattice;
+  return body;
+}
+
+// Twice what is beside the diagonal and twice the halves on it are the whole bar, particle by particle.
+TEST(Placement, HalfABoxHoldsHalfOfWhatStandsOnTheCut) {
+  for (const std::string lattice : {"cubic", "face_lattice"}) {
+    BodyDescription whole_body = box({0.0, 0.0, 0.0}, {3e-3, 3e-3, 2e-3});
+    whole_body.lattice = lattice;
+    const auto whole = place_body<3>(whole_body, 1e-3);
+    const auto half = place_body<3>(half_bar(lattice), 1e-3);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < whole.positions.size(); ++i) {
+      const Vec<3>& place = whole.positions[i];
+      if (place[0] < place[1] - 1e-9) continue;
+      ASSERT_LT(next, half.positions.size());
+      EXPECT_EQ(half.positions[next], place) << lattice;
+      EXPECT_NEAR(half.volumes[next], (place[0] > place[1] + 1e-9 ? 1.0 : 0.5) * whole.volumes[i], 1e-24) << lattice;
+      ++next;
+    }
+    EXPECT_EQ(next, half.positions.size()) << lattice;
+    double area = 0.0;
+    for (const auto& point : half.surface) area += point.area;
+    EXPECT_NEAR(area, 0.5 * (4 * 6e-6 + 2 * 9e-6), 1e-15) << lattice;  // of the box, without the cut
+    const auto shape = make_shape<3>(half_bar(lattice).shape);
+    EXPECT_NEAR(shape->volume(), 9e-9, 1e-21);
+    EXPECT_NEAR(shape->reach(Vec<3>(-1.0, 1.0, 0.0)), 0.0, 1e-18);  // up to the cut
+    EXPECT_NEAR(shape->reach(Vec<3>(0.0, 1.0, 0.0)), 1.5e-3, 1e-15);
+    EXPECT_NEAR(shape->reach(Vec<3>(-1.0, -1.0, 0.0)), 3e-3, 1e-15);
+  }
+}
+
+TEST(Placement, AWedgeOf45DegreesHoldsHalfOfWhatStandsOnItsSecondEdge) {
+  auto body = shell("face_lattice", "wedge");
+  body.shape.parameters.set("opening", 0.25 * pi);
+  const auto wedge = place_body<2>(body, 2e-3), quarter = place_body<2>(shell("face_lattice", "quarter"), 2e-3);
+  double on_edge = 0.0, beside = 0.0;
+  for (std::size_t i = 0; i < wedge.positions.size(); ++i) {
+    const Vec<2> arm = wedge.positions[i] - Vec<2>(0.3, -0.2);
+    EXPECT_GT(arm[0], arm[1] - 1e-9);
+    (arm[0] < arm[1] + 1e-9 ? on_edge : beside) += wedge.volumes[i];
+  }
+  double on_diagonal = 0.0;
+  for (std::size_t i = 0; i < quarter.positions.size(); ++i) {
+    const Vec<2> arm = quarter.positions[i] - Vec<2>(0.3, -0.2);
+    if (std::abs(arm[0] - arm[1]) < 1e-9) on_diagonal += quarter.volumes[i];
+  }
+  EXPECT_GT(on_edge, 0.0);
+  EXPECT_NEAR(2.0 * on_edge, on_diagonal, 1e-12 * on_diagonal);
+  EXPECT_NEAR(2.0 * (on_edge + beside), total_volume(quarter), 1e-12 * total_volume(quarter));
+}
+
 TEST(Placement, FilledCellsKnowTheirOpenSides) {
   const auto placed = place_body<3>(box({0.0, 0.0, 0.0}, {2e-3, 3e-3, 4e-3}), 1e-3);
   double area = 0.0;
