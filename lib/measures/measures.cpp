@@ -94,6 +94,7 @@ constexpr std::array measure_table = {
     Measure{"foot_half_width_side", "m", [](const Result& result) { return rod_of(result).foot_half_width_side(); }},
     Measure{"foot_half_width_corner", "m",
             [](const Result& result) { return rod_of(result).foot_half_width_corner(); }},
+    Measure{"foot_radius", "m", [](const Result& result) { return rod_of(result).foot_radius(); }},
     Measure{"axis_plastic_strain_1mm", "", strain_on_axis<1000>},
     Measure{"axis_plastic_strain_2mm", "", strain_on_axis<2000>},
     Measure{"axis_plastic_strain_4mm", "", strain_on_axis<4000>},

@@ -4,9 +4,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "anvil/core/error.hpp"
@@ -118,6 +120,25 @@ double Rod::foot_half_width_corner() const {
     count += 1.0;
   }
   return sum / count;
+}
+
+double Rod::foot_radius() const {
+  const double foot = -reach(2, -1.0) + same_place(shape_);
+  constexpr std::size_t sectors = 32;
+  std::array<double, sectors> before{}, now{};
+  for (std::size_t i = 0; i < frame_.particle_count(); ++i) {
+    if (initial(i, 2) > foot) continue;
+    const double turns = std::atan2(initial(i, 1), initial(i, 0)) / (2.0 * std::numbers::pi) + 1.0;
+    const auto sector = static_cast<std::size_t>(std::lround(turns * sectors)) % sectors;
+    before[sector] = std::max(before[sector], std::hypot(initial(i, 0), initial(i, 1)));
+    now[sector] = std::max(now[sector], std::hypot(present(i, 0), present(i, 1)));
+  }
+  // Of the sectors that the scene has: a quarter model has a fourth of them.
+  const auto mean_square = [](const std::array<double, sectors>& radii) {
+    const auto filled = std::count_if(radii.begin(), radii.end(), [](double radius) { return radius > 0.0; });
+    return std::inner_product(radii.begin(), radii.end(), radii.begin(), 0.0) / static_cast<double>(filled);
+  };
+  return std::sqrt(mean_square(now)) + shape_.half_width - std::sqrt(mean_square(before));
 }
 
 Curve Rod::half_width() const {

@@ -32,6 +32,9 @@ class Rod {
   [[nodiscard]] double foot_half_width_side() const;
   /// From the axis to the foot's corner, along the diagonal, m.
   [[nodiscard]] double foot_half_width_corner() const;
+  /// Of a round bar: radius of the circle with the foot's area, m, from the outermost particles of the lowest layer in
+  /// each of 32 sectors. What the staircase that they start on is off the circle on average is added.
+  [[nodiscard]] double foot_radius() const;
   /// Half-width in m over the present height in m, at the middle of a side, from the foot up.
   [[nodiscard]] Curve half_width() const;
   /// Plastic strain over the height above the foot that the material had at the start, in m, from the particles nearest
