@@ -188,8 +188,8 @@ Vec<D> corner_offset(Index<D> corner, const Index<D>& cells, double spacing) {
 }
 
 /// Spacings along the axes with which that many cells fill the volume of the shape. Where it ends in planes they are
-/// given; a staircase encloses some percent more or less than the round face it stands for, and is drawn in or out. Only
-/// in 3D, whose round shapes are whole: rings in 2D may end at planes of symmetry, where particles have to stay.
+/// given; a staircase encloses some percent more or less than the round face it stands for, and is drawn in or out.
+/// Only in 3D, whose round shapes are whole: rings in 2D may end at planes of symmetry, where particles have to stay.
 template <int D>
 Vec<D> filling_spacings(const Shape<D>& shape, double cells, double spacing) {
   Vec<D> spacings = Vec<D>::Constant(spacing);
@@ -222,7 +222,8 @@ void place_faces(const std::vector<OpenFace<D>>& faces, const FilledCells<D>& fi
       whole = whole && part > 0.0;
       facet[next++] = particle;
       if (part > 0.0)
-        area[static_cast<std::size_t>(particle)] += part * spacings.prod() / spacings[static_cast<int>(face.axis)] / static_cast<double>(corners);
+        area[static_cast<std::size_t>(particle)] +=
+            part * spacings.prod() / spacings[static_cast<int>(face.axis)] / static_cast<double>(corners);
     }
     if (whole) placed.facets.push_back(facet);
   }
@@ -273,8 +274,8 @@ PlacedBody<D> place_body(const BodyDescription& body, double spacing) {
   const auto shape = make_shape<D>(body.shape);
   const auto cells = count_cells<D>(*shape, spacing);
   const FilledCells<D> filled(*shape, cut_of<D>(body.shape), cells, spacing);
-  PlacedBody<D> placed =
-      body.lattice == "face_lattice" ? share_cells<D>(*shape, filled, cells, spacing) : fill_cells<D>(filled, cells, spacing);
+  PlacedBody<D> placed = body.lattice == "face_lattice" ? share_cells<D>(*shape, filled, cells, spacing)
+                                                        : fill_cells<D>(filled, cells, spacing);
   if (placed.positions.empty())
     throw InputError(fmt::format("body '{}' holds no particle at a spacing of {} m", body.name, spacing));
   const double scale = shape->volume() / std::accumulate(placed.volumes.begin(), placed.volumes.end(), 0.0);

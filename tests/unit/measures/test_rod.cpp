@@ -61,6 +61,18 @@ TEST_P(EveryBar, AtTheStartHasTheSizeOfItsShape) {
   for (const double z : {0.0, 1e-3, 16e-3, 32e-3}) EXPECT_NEAR(value_at(rod.half_width(), z), 3.2e-3, rounding);
 }
 
+TEST_P(EveryBar, FootRadiusGrowsWithTheFoot) {
+  const auto radius = [&](double factor) {
+    const Frame frame = deformed([&](const Point& p) { return Point{factor * p[0], factor * p[1], p[2]}; });
+    return Rod(frame, shape).foot_radius();
+  };
+  EXPECT_NEAR(radius(1.0), 3.2e-3, rounding);
+  // Between the middle of a side and a corner.
+  EXPECT_GT(radius(2.0), 6.4e-3 - 0.4e-3);
+  EXPECT_LT(radius(2.0), 3.2e-3 * (1.0 + std::numbers::sqrt2));
+  EXPECT_NEAR(radius(2.0) - 3.2e-3, 2.0 * (radius(1.5) - 3.2e-3), rounding);
+}
+
 TEST_P(EveryBar, GrowsByWhatItsFacesMove) {
   const Frame frame = deformed([](const Point& p) {
     return Point{p[0] + std::copysign(1e-3, p[0]), p[1] + std::copysign(1e-3, p[1]), p[2] - 5e-3};

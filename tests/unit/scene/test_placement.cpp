@@ -283,6 +283,23 @@ TEST(Placement, FaceLatticeStandsOnTheFacesAndSharesTheCells) {
   expect_facets_to_look_outward<3>(placed, Vec<3>(1e-3, 1.5e-3, 2e-3));
 }
 
+// A staircase that encloses what the cylinder does, for any number of spacings across.
+TEST(Placement, FaceLatticeOfACylinderHasItsCrossSection) {
+  for (const double spacing : {1e-3, 0.5e-3, 0.4e-3}) {
+    BodyDescription body = cylinder({0, 0, 0}, "z", 3.2e-3, 4e-3);
+    body.lattice = "face_lattice";
+    const auto placed = place_body<3>(body, spacing);
+    double area = 0.0;
+    for (const auto& facet : placed.facets) {
+      std::array<Vec<3>, 4> corner;
+      for (std::size_t k = 0; k < 4; ++k) corner[k] = placed.positions[static_cast<std::size_t>(facet[k])];
+      const Vec<3> twice = (corner[2] - corner[0]).cross(corner[3] - corner[1]);
+      if (twice[2] < 0.0) area -= 0.5 * twice[2];  // of the lower end
+    }
+    EXPECT_NEAR(area, pi * 3.2e-3 * 3.2e-3, 1e-12) << spacing;
+  }
+}
+
 TEST(Placement, FaceLatticeInTwoDimensionsHasFacetsAllRound) {
   BodyDescription body = box({0.0, 0.0}, {2e-3, 3e-3});
   body.lattice = "face_lattice";
