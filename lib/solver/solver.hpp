@@ -100,7 +100,7 @@ class Solver final : public Simulation {
     std::vector<double> loss, sound_speed, step_limit, lateral_rate;
   };
 
-  // step.cpp, in the order of a step
+  // step.cpp and strain.cpp, in the order of a step
   double choose_time_step(double latest) const;
   void accelerate(double kick);
   void load_faces(double kick);
