@@ -6,6 +6,7 @@
 #include "anvil/core/field_keys.hpp"
 #include "anvil/materials/strain_state.hpp"
 #include "anvil/materials/stress_update.hpp"
+#include "anvil/points/point_loops.hpp"
 
 namespace anvil {
 namespace {
@@ -45,25 +46,19 @@ class StrengthAtWork final : public StrengthUpdate<D> {
 
   double update(ParticleRange range, const double* velocity_gradient, [[maybe_unused]] const double* lateral_rate,
                 double time_step) const override {
-    double work = 0.0;
-    if constexpr (Law::resists_shear) {
-      for (std::size_t i = range.first(); i < range.last(); ++i) {
-        StrengthHistory history;
-        if constexpr (Law::has_plastic_strain) history.plastic_strain = plastic_strain_[i];
-        if (back_stress_ != nullptr) history.back_stress = StrainState::deviator(back_stress_ + components * i);
-        Tensor deviator = StrainState::deviator(deviator_ + components * i);
-        Tensor gradient = lift_gradient<D>(velocity_gradient);
-        if constexpr (D == 1)
-          if (lateral_rate != nullptr) gradient(1, 1) = gradient(2, 2) = *lateral_rate++;
-        velocity_gradient += D * D;
-        const PlasticStep step = update_deviator<(D > 1)>(law_, deviator, history, gradient, time_step);
-        StrainState::store(deviator, deviator_ + components * i);
-        if constexpr (Law::has_plastic_strain) plastic_strain_[i] = history.plastic_strain;
-        if (back_stress_ != nullptr) StrainState::store(history.back_stress, back_stress_ + components * i);
-        if (step.plastic_work != 0.0) work += step.plastic_work * mass_[i] / density_[i];
-      }
-    }
-    return work;
+    if constexpr (!Law::resists_shear) return 0.0;
+    if constexpr (D == 1)
+      return return_to_yield(range, [&](Tensor& deviator) {
+        Tensor gradient = lift_gradient<D>(velocity_gradient++);
+        if (lateral_rate != nullptr) gradient(1, 1) = gradient(2, 2) = *lateral_rate++;
+        stretch(law_.shear_modulus(), gradient, time_step, deviator);
+      });
+    const PointLoops<D>& loops = point_loops<D>();
+    loops.strain_deviators(range.count(), velocity_gradient, law_.shear_modulus(), time_step,
+                           deviator_ + components * range.first());
+    if (back_stress_ != nullptr)
+      loops.turn_tensors(range.count(), velocity_gradient, time_step, back_stress_ + components * range.first());
+    return return_to_yield(range, [](Tensor&) {});
   }
 
   double limit([[maybe_unused]] ParticleRange range,
@@ -107,6 +102,25 @@ class StrengthAtWork final : public StrengthUpdate<D> {
   }
 
  private:
+  /// With the trial deviator that strain(deviator) makes of the stored one.
+  template <class Strain>
+  double return_to_yield(ParticleRange range, Strain&& strain) const {
+    double work = 0.0;
+    for (std::size_t i = range.first(); i < range.last(); ++i) {
+      StrengthHistory history;
+      if constexpr (Law::has_plastic_strain) history.plastic_strain = plastic_strain_[i];
+      if (back_stress_ != nullptr) history.back_stress = StrainState::deviator(back_stress_ + components * i);
+      Tensor deviator = StrainState::deviator(deviator_ + components * i);
+      strain(deviator);
+      const PlasticStep step = law_.return_to_yield(deviator, history);
+      StrainState::store(deviator, deviator_ + components * i);
+      if constexpr (Law::has_plastic_strain) plastic_strain_[i] = history.plastic_strain;
+      if (back_stress_ != nullptr) StrainState::store(history.back_stress, back_stress_ + components * i);
+      if (step.plastic_work != 0.0) work += step.plastic_work * mass_[i] / density_[i];
+    }
+    return work;
+  }
+
   Law law_;
   std::string_view name_ = Law::kind().type;
   std::span<const double> mass_, density_;

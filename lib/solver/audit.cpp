@@ -77,7 +77,7 @@ double Solver<D>::minimum_pair_distance() const {
     for (std::size_t i = tiles_[tile].range.first(); i < tiles_[tile].range.last(); ++i) {
       for (std::int64_t k = neighbours_.row_begin(i); k < neighbours_.row_end(i); ++k) {
         const auto j = static_cast<std::size_t>(neighbour[k]);
-        if (j >= mass_.size()) continue;  // padding or images
+        if (j <= i || j >= mass_.size()) continue;  // seen from the other side, padding or images
         nearest[tile] = std::min(nearest[tile], (position_[i] - position_[j]).squaredNorm());
       }
     }

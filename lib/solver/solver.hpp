@@ -120,7 +120,7 @@ class Solver final : public Simulation {
   void strain_from_reference(double time_step);  // total_lagrangian_step.cpp
   void deform_from_reference(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
   void deform_edges(const Tile& tile, Scratch& scratch, double time_step, TileReport<D>& report);
-  void limit_and_check_deformed(const Tile& tile, const double* bulk_sound_speed_squared, TileReport<D>& report);
+  void limit_and_check_deformed(const Tile& tile, const Scratch& scratch, TileReport<D>& report);
   void collect_strain_reports();
 
   void erode_particles(const Tile& tile, Scratch& scratch, TileReport<D>& report);  // erosion.cpp

@@ -41,11 +41,13 @@ void Solver<D>::deform_from_reference(const Tile& tile, Scratch& scratch, double
     if (!recipe_.edges) report.plastic_work = body.strength->update(tile.range, velocity_gradient, nullptr, time_step);
   }
   body.eos->update(tile.range, scratch.sound_speed.data());
+  const double* stretch = scratch.step_limit.data();
+  recipe_.deformation->find_least_stretches(tile.range, scratch.step_limit.data());
   if (recipe_.bulk_viscosity && time_step > 0.0)
     report.bulk_viscous_loss =
         recipe_.bulk_viscosity->update(tile.range, velocity_gradient, scratch.sound_speed.data(), time_step,
-                                       [&](std::size_t i) { return recipe_.deformation->least_stretch(i); });
-  limit_and_check_deformed(tile, scratch.sound_speed.data(), report);
+                                       [&](std::size_t i) { return stretch[i - tile.range.first()]; });
+  limit_and_check_deformed(tile, scratch, report);
 }
 
 template <int D>
@@ -65,15 +67,14 @@ void Solver<D>::deform_edges(const Tile& tile, Scratch& scratch, double time_ste
 
 /// dt = cfl spacing s/c with the longitudinal wave speed c and the least stretch s: a squeezed layer is crossed sooner.
 template <int D>
-void Solver<D>::limit_and_check_deformed(const Tile& tile, const double* bulk_sound_speed_squared,
-                                         TileReport<D>& report) {
+void Solver<D>::limit_and_check_deformed(const Tile& tile, const Scratch& scratch, TileReport<D>& report) {
+  const double *bulk_sound_speed_squared = scratch.sound_speed.data(), *stretches = scratch.step_limit.data();
   const double shear_modulus = recipe_.bodies[static_cast<std::size_t>(tile.body)].strength->shear_modulus();
   const double* eroded = recipe_.erosion ? fields_.scalar(field::eroded).data() : nullptr;
   report.step_limit = std::numeric_limits<double>::max();
-  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i) {
+  for (std::size_t i = tile.range.first(); i < tile.range.last(); ++i, ++stretches) {
     const double wave_speed = std::sqrt(*bulk_sound_speed_squared++ + 4.0 / 3.0 * shear_modulus / density_[i]);
-    const double stretch = eroded != nullptr && eroded[i] != 0.0 ? std::numeric_limits<double>::max()
-                                                                 : recipe_.deformation->least_stretch(i);
+    const double stretch = eroded != nullptr && eroded[i] != 0.0 ? std::numeric_limits<double>::max() : *stretches;
     const double limit = scene_.time.cfl * scene_.discretisation.spacing * stretch / wave_speed;
     const bool sound = density_[i] > 0.0 && limit > 0.0 && std::isfinite(pressure_[i]);
     if (!sound && report.broken_particle < 0) report.broken_particle = static_cast<std::int32_t>(i);

@@ -18,7 +18,7 @@ template <int D>
 class NominalMomentum final : public ForceTerm<D> {
  public:
   /// With edges they give the deviatoric part.
-  NominalMomentum(FieldStore& fields, const Deformation<D>& deformation, const EdgePoints<D>* edges)
+  NominalMomentum(FieldStore& fields, const Deformation<D>& deformation, EdgePoints<D>* edges)
       : deformation_(deformation),
         edges_(edges),
         pressure_((fields.require(field::pressure), fields.scalar(field::pressure))),
@@ -39,21 +39,13 @@ class NominalMomentum final : public ForceTerm<D> {
   /// The stresses of the particles times `span` (s), together with the edges' as these are weighed: sums over pairs are
   /// then changes of velocity, m/s.
   void pack_impulses(ParticleRange range, double span, PairRecords<D>& records) const {
-    for (std::size_t i = range.first(); i < range.last(); ++i) {
-      const double pressure = pressure_[i] + (viscous_pressure_ == nullptr ? 0.0 : viscous_pressure_[i]);
-      Square<D> stress = Square<D>::Identity() * -pressure;
-      if (deviator_ != nullptr)
-        stress += StrainState::deviator(deviator_ + i * StrainState::components).template topLeftCorner<D, D>();
-      Square<D> nominal = span * stress * cofactor<D>(deformation_.gradient(i));
-      if (edges_ != nullptr) {
-        Square<D> sum = Square<D>::Zero();
-        edges_->add_nominal_stress(i, sum);
-        nominal += sum / deformation_.volume(i);
-      }
-      double* record = records.nominal[i];
-      SquareMap<D>(record).noalias() = nominal * deformation_.correction(i) / deformation_.reference_density(i);
-      record[D * D] = deformation_.volume(i);
-    }
+    if (edges_ != nullptr) edges_->sum_forces(range);
+    point_loops<D>().pack_nominal(range, deformation_.arrays(),
+                                  {.pressure = pressure_.data(),
+                                   .viscous_pressure = viscous_pressure_,
+                                   .deviator = deviator_,
+                                   .edge_sums = edges_ == nullptr ? nullptr : edges_->force_sums()},
+                                  span, records.nominal[0]);
   }
 
   void accumulate(const PairTile<D>& tile, const PairRecords<D>& records, double* acceleration,
@@ -64,7 +56,7 @@ class NominalMomentum final : public ForceTerm<D> {
  private:
   using StrainState = typename StrainStateOf<D>::Type;
   const Deformation<D>& deformation_;
-  const EdgePoints<D>* edges_;
+  EdgePoints<D>* edges_;
   std::span<const double> pressure_;
   const double* viscous_pressure_;
   const double* deviator_;  // packed, or none

@@ -16,8 +16,7 @@ Deformation<D>::Deformation(FieldStore& fields)
       density_(fields.scalar(field::density)),
       reference_density_(density_.begin(), density_.end()),
       volume_(fields.particle_count()),
-      correction_(fields.particle_count() * D * D),
-      rate_(fields.particle_count() * D * D) {
+      correction_(fields.particle_count() * D * D) {
   for (std::size_t i = 0; i < fields.particle_count(); ++i) {
     volume_[i] = mass_[i] / density_[i];
     SquareMap<D>(gradient_ + i * D * D).setIdentity();
@@ -55,22 +54,12 @@ int Deformation<D>::find_corrections(const PairTile<D>& tile, const PairRecords<
 
 template <int D>
 void Deformation<D>::advance(ParticleRange range, double* gradients, double time_step) {
-  for (std::size_t i = range.first(); i < range.last(); ++i, gradients += D * D) {
-    SquareMap<D> sum(gradients), f(gradient_ + i * D * D), rate(&rate_[i * D * D]);
-    rate = sum * correction(i);
-    const Square<D> half = 0.5 * time_step * rate;
-    const Square<D> middle = f + half;
-    const Square<D> cofactor_of_middle = cofactor<D>(middle);
-    sum = rate * cofactor_of_middle.transpose() / determinant<D>(middle, cofactor_of_middle);
-    f = middle + half;
-    density_[i] = reference_density_[i] / determinant<D>(f, cofactor<D>(f));
-  }
+  point_loops<D>().advance_deformation(range, gradients, time_step, arrays());
 }
 
 template <int D>
-double Deformation<D>::least_stretch(std::size_t i) const {
-  const Square<D> f = gradient(i), c = cofactor<D>(f);
-  return std::sqrt(static_cast<double>(D)) * determinant<D>(f, c) / c.norm();
+void Deformation<D>::find_least_stretches(ParticleRange range, double* stretch) const {
+  point_loops<D>().find_least_stretches(range, arrays(), stretch);
 }
 
 template class Deformation<1>;

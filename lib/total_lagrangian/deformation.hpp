@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "anvil/core/fields.hpp"
@@ -10,6 +11,7 @@
 #include "anvil/core/tensor.hpp"
 #include "anvil/pairs/records.hpp"
 #include "anvil/pairs/tile.hpp"
+#include "anvil/points/point_loops.hpp"
 
 namespace anvil {
 
@@ -68,21 +70,29 @@ class Deformation {
   /// present configuration in the middle of the step, 1/s.
   void advance(ParticleRange range, double* gradients, double time_step);
 
-  /// m3 (m2, m), 1/s, and 1.
+  /// What loops over particles and edges read and write.
+  [[nodiscard]] DeformationArrays<D> arrays() const {
+    return {gradient_, correction_.data(), reference_density_.data(), density_.data(), volume_.data()};
+  }
+  /// m3 (m2, m), and 1.
   [[nodiscard]] double volume(std::size_t i) const { return volume_[i]; }
-  [[nodiscard]] ConstSquareMap<D> rate(std::size_t i) const { return ConstSquareMap<D>(&rate_[i * D * D]); }
   [[nodiscard]] ConstSquareMap<D> gradient(std::size_t i) const { return ConstSquareMap<D>(gradient_ + i * D * D); }
   [[nodiscard]] ConstSquareMap<D> correction(std::size_t i) const { return ConstSquareMap<D>(&correction_[i * D * D]); }
   [[nodiscard]] double reference_density(std::size_t i) const { return reference_density_[i]; }
   /// The least principal stretch is at least this: sqrt(D) / |F^-1| in the Frobenius norm. It shortens the time step.
-  [[nodiscard]] double least_stretch(std::size_t i) const;
-  [[nodiscard]] static constexpr int doubles_per_particle() { return 2 * D * D + 2; }  // beside the fields
+  [[nodiscard]] double least_stretch(std::size_t i) const {
+    const Square<D> f = gradient(i), c = cofactor<D>(f);
+    return std::sqrt(static_cast<double>(D)) * determinant<D>(f, c) / c.norm();
+  }
+  /// The same of each particle of the range.
+  void find_least_stretches(ParticleRange range, double* stretch) const;
+  [[nodiscard]] static constexpr int doubles_per_particle() { return D * D + 2; }  // beside the fields
 
  private:
   double* gradient_;
   std::span<const double> mass_;
   std::span<double> density_;
-  std::vector<double> reference_density_, volume_, correction_, rate_;
+  std::vector<double> reference_density_, volume_, correction_;
 };
 
 }  // namespace anvil

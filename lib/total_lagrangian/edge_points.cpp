@@ -19,7 +19,7 @@ EdgePoints<D>::EdgePoints(FieldStore& particles, const std::vector<ParticleRange
       density_(particles.scalar(field::density)) {
   find_turns(spacing, images);
   find_edges(bodies, spacing);
-  list_incidences();
+  list_incoming();
   share_volumes();
 }
 
@@ -50,150 +50,139 @@ void EdgePoints<D>::find_edges(const std::vector<ParticleRange>& bodies, double 
   NeighbourList<D> near;
   near.build(initial_position_, std::vector<double>(particles, spacing), longest, 0.0, pair_loops<D>());
   for (std::size_t i = 0; i < particles; ++i) {
-    first_edge_.push_back(static_cast<std::int32_t>(edges_.size()));
+    first_edge_.push_back(static_cast<std::int32_t>(first_.size()));
     for (std::int64_t k = near.row_begin(i); k < near.row_end(i); ++k) {
       const auto j = static_cast<std::size_t>(near.neighbours()[k]);
       if (j <= i || j >= particles || body_of[i] != body_of[j]) continue;
-      const Vec<D> apart = initial_position_[i] - initial_position_[j];
-      edges_.push_back(
-          {static_cast<std::int32_t>(i), static_cast<std::int32_t>(j), apart.normalized(), apart.norm(), 0.0, 1.0});
-      if (transforms_of_[i] < 0) continue;
-      const auto& keep_first = transforms_[static_cast<std::size_t>(transforms_of_[i])];
-      const auto keeps_second = [&](const Transform<D>& transform) {
-        return (transform(initial_position_[j]) - initial_position_[j]).norm() < 1e-6 * spacing;
-      };
-      edges_.back().part = 1.0 / static_cast<double>(std::count_if(keep_first.begin(), keep_first.end(), keeps_second));
+      first_.push_back(static_cast<std::int32_t>(i));
+      second_.push_back(static_cast<std::int32_t>(j));
+      const Vec<D> apart = initial_position_[i] - initial_position_[j], direction = apart.normalized();
+      shape_.insert(shape_.end(), direction.data(), direction.data() + D);
+      shape_.push_back(1.0 / apart.norm());
+      shape_.push_back(part_on_this_side(i, initial_position_[j], spacing));  // volumes come later
     }
   }
-  first_edge_.push_back(static_cast<std::int32_t>(edges_.size()));
+  first_edge_.push_back(static_cast<std::int32_t>(first_.size()));
+}
+
+/// Of an edge, 1 unless it lies in a plane of symmetry.
+template <int D>
+double EdgePoints<D>::part_on_this_side(std::size_t first, const Vec<D>& second, double spacing) const {
+  if (transforms_of_[first] < 0) return 1.0;
+  const auto& keep_first = transforms_[static_cast<std::size_t>(transforms_of_[first])];
+  const auto keeps_second = [&](const Transform<D>& transform) {
+    return (transform(second) - second).norm() < 1e-6 * spacing;
+  };
+  return 1.0 / static_cast<double>(std::count_if(keep_first.begin(), keep_first.end(), keeps_second));
 }
 
 template <int D>
-void EdgePoints<D>::list_incidences() {
-  first_incidence_.assign(mass_.size() + 1, 0);
-  for (const Edge& edge : edges_)
-    for (const std::int32_t end : {edge.first, edge.second}) ++first_incidence_[static_cast<std::size_t>(end) + 1];
-  for (std::size_t i = 1; i < first_incidence_.size(); ++i) first_incidence_[i] += first_incidence_[i - 1];
-  incidences_.resize(2 * edges_.size());
-  std::vector<std::int32_t> next(first_incidence_.begin(), first_incidence_.end() - 1);
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    const auto place = [&](std::int32_t end) {
-      return static_cast<std::size_t>(next[static_cast<std::size_t>(end)]++);
-    };
-    incidences_[place(edges_[e].first)] = {static_cast<std::int32_t>(e), 1.0};
-    incidences_[place(edges_[e].second)] = {static_cast<std::int32_t>(e), -1.0};
-  }
+void EdgePoints<D>::list_incoming() {
+  first_incoming_.assign(mass_.size() + 1, 0);
+  for (const std::int32_t end : second_) ++first_incoming_[static_cast<std::size_t>(end) + 1];
+  for (std::size_t i = 1; i < first_incoming_.size(); ++i) first_incoming_[i] += first_incoming_[i - 1];
+  incoming_.resize(second_.size());
+  std::vector<std::int32_t> next(first_incoming_.begin(), first_incoming_.end() - 1);
+  for (std::size_t e = 0; e < second_.size(); ++e)
+    incoming_[static_cast<std::size_t>(next[static_cast<std::size_t>(second_[e])]++)] = static_cast<std::int32_t>(e);
+}
+
+/// Those that begin there, then those that end there.
+template <int D>
+template <class Work>
+void EdgePoints<D>::for_each_edge_at(std::size_t particle, Work&& work) const {
+  for (std::int32_t e = first_edge_[particle]; e < first_edge_[particle + 1]; ++e) work(static_cast<std::size_t>(e));
+  for (std::int32_t k = first_incoming_[particle]; k < first_incoming_[particle + 1]; ++k)
+    work(static_cast<std::size_t>(incoming_[static_cast<std::size_t>(k)]));
 }
 
 template <int D>
 void EdgePoints<D>::share_volumes() {
-  fields_ = FieldStore(edges_.size());
+  const std::size_t edges = first_.size();
+  fields_ = FieldStore(edges);
   for (const FieldKey* key : {&field::mass, &field::density}) fields_.require(*key);
   fields_.require(field::deviatoric_stress, StrainStateOf<D>::Type::components);
   // On planes both the volume of a particle and the number of its edges are those on this side: the quotient is that of
   // the whole body.
-  const auto share = [&](std::int32_t end) {
-    const auto i = static_cast<std::size_t>(end);
-    double edges = 0.0;
-    for (std::int32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k)
-      edges += edges_[static_cast<std::size_t>(incidences_[static_cast<std::size_t>(k)].edge)].part;
-    return mass_[i] / density_[i] / edges;
-  };
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    const double density = density_[static_cast<std::size_t>(edges_[e].first)];
-    edges_[e].volume = share(edges_[e].first) + share(edges_[e].second);
-    fields_.scalar(field::density)[e] = density;
-    fields_.scalar(field::mass)[e] = density * edges_[e].volume * edges_[e].part;
+  std::vector<double> share(mass_.size());
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    double parts = 0.0;
+    for_each_edge_at(i, [&](std::size_t e) { parts += volume(e); });
+    share[i] = mass_[i] / density_[i] / parts;
   }
-  share_.assign(edges_.size() * D * D, 0.0);
-  pull_.assign(edges_.size() * D, 0.0);
-  deformation_.resize(edges_.size() * D * D);
-  for (std::size_t e = 0; e < edges_.size(); ++e) SquareMap<D>(&deformation_[e * D * D]).setIdentity();
+  for (std::size_t e = 0; e < edges; ++e) {
+    const auto first = static_cast<std::size_t>(first_[e]), second = static_cast<std::size_t>(second_[e]);
+    volume(e) *= share[first] + share[second];
+    fields_.scalar(field::density)[e] = density_[first];
+    fields_.scalar(field::mass)[e] = density_[first] * volume(e);
+  }
+  force_.assign(edges * force_size, 0.0);
+  force_sums_.assign(mass_.size() * force_size, 0.0);
+  deformation_.resize(edges * D * D);
+  for (std::size_t e = 0; e < edges; ++e) SquareMap<D>(&deformation_[e * D * D]).setIdentity();
   edge_density_ = fields_.scalar(field::density).data();
   deviator_ = fields_.vector<StrainStateOf<D>::Type::components>(field::deviatoric_stress).raw();
 }
 
 template <int D>
+auto EdgePoints<D>::arrays() -> Arrays {
+  return {.first = first_.data(),
+          .second = second_.data(),
+          .shape = shape_.data(),
+          .position = position_.raw(),
+          .gradient = deformation_.data(),
+          .density = edge_density_,
+          .deviator = deviator_,
+          .force = force_.data(),
+          .first_edge = first_edge_.data(),
+          .first_incoming = first_incoming_.data(),
+          .incoming = incoming_.data()};
+}
+
+template <int D>
 std::int32_t EdgePoints<D>::deform(ParticleRange edges, const Deformation<D>& particles, double time_step,
                                    double* velocity_gradients) {
-  const double per_step = time_step > 0.0 ? 1.0 / time_step : 0.0;
-  std::int32_t turned = -1;
-  for (std::size_t e = edges.first(); e < edges.last(); ++e, velocity_gradients += D * D) {
-    const Edge& edge = edges_[e];
-    const auto i = static_cast<std::size_t>(edge.first), j = static_cast<std::size_t>(edge.second);
-    const Square<D> mean = 0.5 * (particles.gradient(i) + particles.gradient(j));
-    const Vec<D> along = (position_[i] - position_[j]) / edge.length - mean * edge.direction;
-    const Square<D> f = mean + along * edge.direction.transpose();
-    SquareMap<D> kept(&deformation_[e * D * D]);
-    const Square<D> rate = per_step * (f - kept), middle = 0.5 * (f + kept);
-    kept = f;
-    const Square<D> cofactor_of_middle = cofactor<D>(middle), cofactor_of_f = cofactor<D>(f);
-    SquareMap<D> gradient(velocity_gradients), pulled(&share_[e * D * D]);
-    gradient.noalias() = rate * cofactor_of_middle.transpose() / determinant<D>(middle, cofactor_of_middle);
-    pulled = cofactor_of_f;
-    const double volume_ratio = determinant<D>(f, cofactor_of_f);
-    edge_density_[e] = particles.reference_density(i) / volume_ratio;
-    if (!(volume_ratio > 0.0) && turned < 0) turned = edge.first;
-  }
-  return turned;
+  const std::int32_t turned =
+      point_loops<D>().deform_edges(edges, arrays(), particles.arrays(), time_step, velocity_gradients);
+  return turned < 0 ? -1 : first_[static_cast<std::size_t>(turned)];
 }
 
 template <int D>
 void EdgePoints<D>::pull_back(ParticleRange edges) {
-  using StrainState = typename StrainStateOf<D>::Type;
-  for (std::size_t e = edges.first(); e < edges.last(); ++e) {
-    const Tensor full = StrainState::deviator(deviator_ + e * StrainState::components);
-    const Square<D> deviator = full.template topLeftCorner<D, D>();
-    SquareMap<D> share(&share_[e * D * D]);
-    const Square<D> nominal = edges_[e].volume * (deviator * share);
-    const Vec<D>& direction = edges_[e].direction;
-    const Vec<D> along = nominal * direction;
-    share = 0.5 * nominal - 0.5 * along * direction.transpose();
-    Eigen::Map<Vec<D>> pull(&pull_[e * D]);
-    pull = along / edges_[e].length;
-  }
+  point_loops<D>().pull_back_edges(edges, arrays());
 }
 
 template <int D>
 void EdgePoints<D>::weigh(ParticleRange edges, double span) {
-  for (std::size_t k = edges.first() * D * D; k < edges.last() * D * D; ++k) share_[k] *= span;
-  for (std::size_t k = edges.first() * D; k < edges.last() * D; ++k) pull_[k] *= span;
+  for (std::size_t k = edges.first() * force_size; k < edges.last() * force_size; ++k) force_[k] *= span;
 }
 
 template <int D>
-void EdgePoints<D>::add_nominal_stress(std::size_t i, Square<D>& sum) const {
-  Square<D> own = Square<D>::Zero();
-  for (std::int32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
-    const auto e = static_cast<std::size_t>(incidences_[static_cast<std::size_t>(k)].edge);
-    own += edges_[e].part * ConstSquareMap<D>(&share_[e * D * D]);
+void EdgePoints<D>::sum_forces(ParticleRange particles) {
+  point_loops<D>().sum_edge_forces(particles, arrays(), force_sums_.data());
+  if (transforms_.empty()) return;
+  for (std::size_t i = particles.first(); i < particles.last(); ++i) {
+    if (transforms_of_[i] < 0) continue;
+    const auto& transforms = transforms_[static_cast<std::size_t>(transforms_of_[i])];
+    SquareMap<D> share(&force_sums_[i * force_size]);
+    Eigen::Map<Vec<D>> force(&force_sums_[i * force_size + D * D]);
+    Square<D> all_shares = Square<D>::Zero();
+    Vec<D> all_forces = Vec<D>::Zero();
+    for (const Transform<D>& transform : transforms) {
+      all_shares += transform.turn * share * transform.turn.transpose() / static_cast<double>(transforms.size());
+      all_forces += transform.turn * force;
+    }
+    share = all_shares;
+    force = all_forces / static_cast<double>(transforms.size());
   }
-  if (transforms_of_[i] < 0) {
-    sum += own;
-    return;
-  }
-  const auto& transforms = transforms_[static_cast<std::size_t>(transforms_of_[i])];
-  for (const Transform<D>& transform : transforms)
-    sum += transform.turn * own * transform.turn.transpose() / static_cast<double>(transforms.size());
 }
 
 template <int D>
 void EdgePoints<D>::accumulate(const PairTile<D>& tile, const PairRecords<D>& /*records*/, double* acceleration,
                                double* /*loss*/) const {
-  for (auto i = static_cast<std::size_t>(tile.begin); i < static_cast<std::size_t>(tile.end); ++i, acceleration += D) {
-    Vec<D> force = Vec<D>::Zero();
-    for (std::int32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
-      const Incidence& incidence = incidences_[static_cast<std::size_t>(k)];
-      const auto e = static_cast<std::size_t>(incidence.edge);
-      force -= incidence.sign * edges_[e].part * Eigen::Map<const Vec<D>>(&pull_[e * D]);
-    }
-    if (transforms_of_[i] >= 0) {
-      const auto& transforms = transforms_[static_cast<std::size_t>(transforms_of_[i])];
-      Vec<D> all = Vec<D>::Zero();
-      for (const Transform<D>& transform : transforms) all += transform.turn * force;
-      force = all / static_cast<double>(transforms.size());
-    }
-    Eigen::Map<Vec<D>> own(acceleration);
-    own += force / mass_[i];
+  for (auto i = static_cast<std::size_t>(tile.begin); i < static_cast<std::size_t>(tile.end); ++i) {
+    const double per_mass = 1.0 / mass_[i], *force = &force_sums_[i * force_size + D * D];
+    for (int a = 0; a < D; ++a) *acceleration++ += per_mass * force[a];
   }
 }
 
@@ -204,24 +193,23 @@ std::vector<double> EdgePoints<D>::mean_at_particles(const FieldKey& key) const 
   const auto components = static_cast<std::size_t>(field->components);
   std::vector<double> mean(mass_.size() * components, 0.0);
   for (std::size_t i = 0; i < mass_.size(); ++i) {
-    double volume = 0.0;
-    for (std::int32_t k = first_incidence_[i]; k < first_incidence_[i + 1]; ++k) {
-      const auto e = static_cast<std::size_t>(incidences_[static_cast<std::size_t>(k)].edge);
-      const double weight = edges_[e].volume * edges_[e].part;
-      volume += weight;
+    double whole = 0.0;
+    for_each_edge_at(i, [&](std::size_t e) {
+      whole += volume(e);
       for (std::size_t c = 0; c < components; ++c)
-        mean[i * components + c] += weight * field->values[e * components + c];
-    }
-    if (volume == 0.0) continue;
-    for (std::size_t c = 0; c < components; ++c) mean[i * components + c] /= volume;
+        mean[i * components + c] += volume(e) * field->values[e * components + c];
+    });
+    if (whole == 0.0) continue;
+    for (std::size_t c = 0; c < components; ++c) mean[i * components + c] /= whole;
   }
   return mean;
 }
 
 template <int D>
 double EdgePoints<D>::doubles_per_particle() const {
-  double bytes = static_cast<double>(edges_.size() * sizeof(Edge) + incidences_.size() * sizeof(Incidence)) +
-                 static_cast<double>(sizeof(double) * (share_.size() + pull_.size() + deformation_.size()));
+  double bytes =
+      static_cast<double>(sizeof(std::int32_t) * (2 * first_.size() + incoming_.size())) +
+      static_cast<double>(sizeof(double) * (shape_.size() + force_.size() + force_sums_.size() + deformation_.size()));
   for (const auto& field : fields_.fields()) bytes += static_cast<double>(sizeof(double) * field.values.size());
   return mass_.empty() ? 0.0 : bytes / static_cast<double>(sizeof(double) * mass_.size());
 }

@@ -6,6 +6,7 @@
 #include "anvil/core/fields.hpp"
 #include "anvil/core/particle_range.hpp"
 #include "anvil/pairs/images.hpp"
+#include "anvil/points/point_loops.hpp"
 #include "anvil/terms/force_term.hpp"
 #include "anvil/total_lagrangian/deformation.hpp"
 
@@ -47,8 +48,11 @@ class EdgePoints final : public ForceTerm<D> {
   void pull_back(ParticleRange edges);
   /// Multiplies what pull_back gave by `span` (s, or none: zero): forces become impulses.
   void weigh(ParticleRange edges, double span);
-  /// Adds to `sum` (D x D) what the edges at particle i add to its nominal stress, times its volume.
-  void add_nominal_stress(std::size_t i, Square<D>& sum) const;
+  /// Adds up what pull_back and weigh left, for the particles of the range: before accumulate.
+  void sum_forces(ParticleRange particles);
+  /// By particle D x D and D numbers: what its edges add to its nominal stress, times its volume, and their force on
+  /// it.
+  [[nodiscard]] const double* force_sums() const { return force_sums_.data(); }
   /// Mean over the edges at each particle of a field of the edges, its components side by side.
   [[nodiscard]] std::vector<double> mean_at_particles(const FieldKey& key) const;
 
@@ -61,34 +65,32 @@ class EdgePoints final : public ForceTerm<D> {
   [[nodiscard]] double doubles_per_particle() const;
 
  private:
-  struct Edge {
-    std::int32_t first, second;
-    Vec<D> direction;  // N, from the second end to the first
-    double length;     // |X_ij|, m
-    double volume;     // V_e of the whole edge, also where planes cut it lengthwise
-    double part;       // of it on this side of the planes it lies in
-  };
-  struct Incidence {
-    std::int32_t edge;
-    double sign;  // +1 at the first end, -1 at the second
-  };
+  using Arrays = EdgeArrays<D>;
+  static constexpr std::size_t shape_size = Arrays::shape_size, force_size = Arrays::force_size;
+  [[nodiscard]] Arrays arrays();
   void find_edges(const std::vector<ParticleRange>& bodies, double spacing);
+  [[nodiscard]] double part_on_this_side(std::size_t first, const Vec<D>& second, double spacing) const;
   void find_turns(double spacing, Images<D> images);
-  void list_incidences();
+  void list_incoming();
   void share_volumes();
+  template <class Work>
+  void for_each_edge_at(std::size_t particle, Work&& work) const;
+  [[nodiscard]] double& volume(std::size_t edge) { return shape_[edge * shape_size + D + 1]; }
+  [[nodiscard]] double volume(std::size_t edge) const { return shape_[edge * shape_size + D + 1]; }
 
   VectorView<D> position_, initial_position_;
   std::span<const double> mass_, density_;
-  std::vector<std::int32_t> first_edge_;  // by first end
-  std::vector<Edge> edges_;
-  std::vector<std::int32_t> first_incidence_;
-  std::vector<Incidence> incidences_;
+  std::vector<std::int32_t> first_, second_;  // by edge: its ends
+  // By edge: its direction N from the second end to the first, 1/|X_ij| (1/m), and V_e on this side of the planes.
+  std::vector<double> shape_;
+  std::vector<std::int32_t> first_edge_;                 // by first end
+  std::vector<std::int32_t> first_incoming_, incoming_;  // the edges by second end
   // What leaves a particle on symmetry planes where it is: empty away from them, else the unit matrix and the others.
   std::vector<std::vector<Transform<D>>> transforms_;
   std::vector<std::int32_t> transforms_of_;  // by particle, -1: away from planes
-  // Of each edge, D x D: cof F_e, then V_e P_e (I - N N^T)/2 with P_e = s cof F_e, the share of each end; and the force
-  // V_e P_e N/|X| that pulls its first end back.
-  std::vector<double> share_, pull_;
+  // By edge: V_e P_e (I - N N^T)/2 with P_e = s cof F_e, the share of each end, and the force V_e P_e N/|X| that pulls
+  // its first end back; by particle the sums of both.
+  std::vector<double> force_, force_sums_;
   std::vector<double> deformation_;  // F_e, D x D
   FieldStore fields_{0};
   double* edge_density_ = nullptr;
