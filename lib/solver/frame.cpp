@@ -81,7 +81,9 @@ Frame Solver<D>::frame() const {
   frame.arrays = {std::move(id),      std::move(body),     std::move(initial), std::move(velocity),
                   std::move(density), std::move(pressure), std::move(stress),  std::move(smoothing_length)};
   for (const FieldKey* key : {&field::plastic_strain, &field::specific_energy, &field::eroded}) {
-    std::vector<double> values = values_of(*key);
+    // A part of a particle that is eroded is no smooth field.
+    const bool on_edges = recipe_.edges && recipe_.edges->fields().has(*key) && key->name != field::eroded.name;
+    std::vector<double> values = on_edges ? recipe_.edges->scalar_at_particles(*key) : values_of(*key);
     if (values.empty()) continue;
     FrameArray array = array_of(*key, 1, particles);
     array.values = std::move(values);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "anvil/core/field_keys.hpp"
 #include "anvil/materials/strain_state.hpp"
@@ -203,6 +204,28 @@ std::vector<double> EdgePoints<D>::mean_at_particles(const FieldKey& key) const 
     for (std::size_t c = 0; c < components; ++c) mean[i * components + c] /= whole;
   }
   return mean;
+}
+
+/// With f and its Laplacian at a particle the mean over its edges is f + h^2 lap f / (8 D), and the mean of its
+/// neighbours' means is h^2 lap f / (2 D) more.
+template <int D>
+std::vector<double> EdgePoints<D>::scalar_at_particles(const FieldKey& key) const {
+  const std::vector<double> mean = mean_at_particles(key);
+  const std::span<const double> values = fields_.scalar(key);
+  std::vector<double> result = mean;
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    double whole = 0.0, around = 0.0;
+    double least = std::numeric_limits<double>::max(), greatest = std::numeric_limits<double>::lowest();
+    for_each_edge_at(i, [&](std::size_t e) {
+      const auto first = static_cast<std::size_t>(first_[e]);
+      whole += volume(e);
+      around += volume(e) * mean[first == i ? static_cast<std::size_t>(second_[e]) : first];
+      least = std::min(least, values[e]);
+      greatest = std::max(greatest, values[e]);
+    });
+    if (whole > 0.0) result[i] = std::clamp(mean[i] - 0.25 * (around / whole - mean[i]), least, greatest);
+  }
+  return result;
 }
 
 template <int D>

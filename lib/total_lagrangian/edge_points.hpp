@@ -55,6 +55,10 @@ class EdgePoints final : public ForceTerm<D> {
   [[nodiscard]] const double* force_sums() const { return force_sums_.data(); }
   /// Mean over the edges at each particle of a field of the edges, its components side by side.
   [[nodiscard]] std::vector<double> mean_at_particles(const FieldKey& key) const;
+  /// A scalar field of the edges at the particles, to second order: the middles of edges are half a spacing away, so
+  /// that their mean lacks a part of the curvature, which the means at the particle's neighbours tell. Never beyond the
+  /// values of its own edges.
+  [[nodiscard]] std::vector<double> scalar_at_particles(const FieldKey& key) const;
 
   [[nodiscard]] std::string_view name() const override { return "edge_stress_points"; }
   [[nodiscard]] std::string_view purpose() const override { return "deviatoric stress along the edges of the lattice"; }

@@ -189,6 +189,31 @@ TEST(EdgePoints, ShareTheVolumeOfTheBlock) {
   EXPECT_EQ(edges.fields().particle_count(), 3U * 5 * 5 * 4);
 }
 
+// A quadratic field of the middles of edges is read exactly two spacings inside; the mean alone is off.
+TEST(EdgePoints, ShowScalarsAtParticlesToSecondOrder) {
+  using Block = FrozenBlock<2>;
+  Block block;
+  EdgePoints<2> edges(block.fields, {block.all()}, Block::spacing);
+  edges.fields().require(field::plastic_strain);
+  const std::span<double> strain = edges.fields().scalar(field::plastic_strain);
+  const auto quadratic = [](const Vec<2>& at) {
+    const Vec<2> x = at / Block::spacing;
+    return x[0] - 2.0 * x[1] + 0.1 * x[0] * x[0] + 0.05 * x[1] * x[1];
+  };
+  for (std::int32_t i = 0; i < block.all().end; ++i) {
+    // Edges from a particle go to those behind it: along x and along y, as far as the block goes.
+    std::size_t e = edges.edges_from({i, i + 1}).first();
+    const Vec<2>& start = block.start[static_cast<std::size_t>(i)];
+    for (int axis = 0; axis < 2; ++axis)
+      if (start[axis] < (Block::per_axis - 1.5) * Block::spacing)
+        strain[e++] = quadratic(start + 0.5 * Block::spacing * Vec<2>::Unit(axis));
+  }
+  const std::size_t centre = block.count / 2;
+  const double exact = quadratic(block.start[centre]);
+  EXPECT_NEAR(edges.scalar_at_particles(field::plastic_strain)[centre], exact, 1e-12);
+  EXPECT_GT(std::abs(edges.mean_at_particles(field::plastic_strain)[centre] - exact), 1e-3);
+}
+
 TEST(EdgePoints, SayWhereOneHasTurnedInsideOut) {
   FrozenBlock<3> block;
   EdgePoints<3> edges(block.fields, {block.all()}, FrozenBlock<3>::spacing);
