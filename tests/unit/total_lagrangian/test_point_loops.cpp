@@ -30,8 +30,8 @@ struct WorkedBlock : FrozenBlock<D> {
   explicit WorkedBlock(std::int32_t pieces) : edges(this->fields, {this->all()}, FrozenBlock<D>::spacing) {
     this->move_at_random(1e-7, 200.0);
     const ParticleRange range = edges.edges_from(this->all());
-    constexpr int components = StrainStateOf<D>::Type::components;
-    const auto stresses = random_numbers(static_cast<std::size_t>(range.count() * components), 1e8);
+    constexpr std::size_t components = StrainStateOf<D>::Type::components;
+    const auto stresses = random_numbers(static_cast<std::size_t>(range.count()) * components, 1e8);
     std::copy(stresses.begin(), stresses.end(),
               edges.fields().template vector<components>(field::deviatoric_stress).raw());
     gradients.resize(static_cast<std::size_t>(range.count()) * D * D);
