@@ -29,9 +29,9 @@ class BulkViscosity {
         viscous_pressure_((fields.require(field::viscous_pressure), fields.scalar(field::viscous_pressure))) {}
 
   /// New viscous pressures of the range from the velocity gradients (D x D per particle of the range, 1/s), squared
-  /// bulk sound speeds (m2/s2) and least stretches, stretch(i) of particle i, of the step of time_step (s) that has just
-  /// ended. Returns the work against them, J: each pressure acts from the middle of one step to the middle of the next
-  /// and so meets half of both.
+  /// bulk sound speeds (m2/s2) and least stretches, stretch(i) of particle i, of the step of time_step (s) that has
+  /// just ended. Returns the work against them, J: each pressure acts from the middle of one step to the middle of the
+  /// next and so meets half of both.
   template <class Stretch>
   double update(ParticleRange range, const double* velocity_gradient, const double* sound_speed_squared,
                 double time_step, const Stretch& stretch) const {
