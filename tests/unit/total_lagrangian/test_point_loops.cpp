@@ -38,7 +38,7 @@ struct WorkedBlock : FrozenBlock<D> {
     for (std::int32_t first = 0; first < this->all().end; first += pieces) {
       const ParticleRange particles{first, std::min(first + pieces, this->all().end)};
       const ParticleRange some = edges.edges_from(particles);
-      EXPECT_EQ(edges.deform(some, this->deformation, 1e-7, &gradients[some.first() * D * D]), -1);
+      EXPECT_EQ(edges.deform(some, this->deformation, 1e-7, gradients.data() + some.first() * D * D), -1);
       edges.pull_back(some);
     }
     for (std::int32_t first = 0; first < this->all().end; first += pieces)
