@@ -25,7 +25,7 @@ double measured_front(double height_over_width, double tau) {
 
 struct Collapse {
   std::vector<double> tau, front;                  // t sqrt(g/a), x/a
-  double penetrations = 0.0, energy_growth = 0.0;  // J, the largest of all steps
+  double penetrations = 0.0, energy_growth = 0.0;  // the largest of all steps, over the energy of the fall
 };
 
 Collapse run_collapse(const std::string& name, double spacing, double last_tau) {
@@ -43,6 +43,7 @@ Collapse run_collapse(const std::string& name, double spacing, double last_tau) 
     collapse.front.push_back(quantile_of_bodies(simulation->frame(), scene, 0) / width);
   }
   collapse.penetrations = audited(*simulation, "penetrations");
+  collapse.energy_growth /= std::abs(audited(*simulation, "potential_energy"));
   return collapse;
 }
 
@@ -67,7 +68,8 @@ void expect_front(const std::string& scene, double spacing, double height_over_w
   }
   EXPECT_LT(best, 0.06) << scene << " at a shift of " << best_shift;
   EXPECT_EQ(collapse.penetrations, 0.0);
-  EXPECT_LE(collapse.energy_growth, 0.0);
+  // Velocities belong to half a step before the positions, with which the energy swings by 1e-7 in the first steps.
+  EXPECT_LE(collapse.energy_growth, 1e-6);
   testing::Test::RecordProperty("deviation", std::to_string(best));
   testing::Test::RecordProperty("shift", std::to_string(best_shift));
 }
