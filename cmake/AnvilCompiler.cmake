@@ -4,8 +4,9 @@
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-# Development builds give the same numbers as the release, so they optimise alike.
-set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O3 -g -DNDEBUG")
+# Development builds give the same numbers as the release, so they optimise alike; there, line numbers are what a
+# profiler and a backtrace can use, and full debug information costs a fifth of the time to compile and link.
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O3 -g1 -DNDEBUG")
 
 add_library(anvil_compile_options INTERFACE)
 target_compile_options(
@@ -33,7 +34,7 @@ target_compile_definitions(anvil_compile_options INTERFACE EIGEN_UNALIGNED_VECTO
 
 if(ANVIL_SANITIZE)
   target_compile_options(anvil_compile_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                                                        -fno-omit-frame-pointer -O1)
+                                                        -fno-omit-frame-pointer -O1 -g1)
   target_compile_definitions(anvil_compile_options INTERFACE _GLIBCXX_ASSERTIONS)
   target_link_options(anvil_compile_options INTERFACE -fsanitize=address,undefined)
 endif()
