@@ -19,10 +19,6 @@ struct PairNeeds {
   bool nominal = false;         // the record of nominal stress instead of that of traction
 };
 
-/// Particles per tile: the gradients of their pairs, some 70 of 24 bytes per particle, stay in the second-level cache.
-/// Tiles of 32 and 128 took 1 to 4 % less time in two runs of benchmark_rod, no more than its noise.
-inline constexpr std::int32_t tile_size = 64;
-
 /// A run of particles small enough that their pairs stay in the cache while several terms work on them. Pair k of the
 /// tile belongs to the particle i with first[i] <= begin_pair + k < first[i + 1].
 template <int D>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include "anvil/core/field_keys.hpp"
 #include "anvil/materials/strain_state.hpp"
@@ -52,7 +52,7 @@ class AdjointMomentum final : public ForceTerm<D> {
 
   void accumulate(const PairTile<D>& tile, const PairRecords<D>& records, double* acceleration,
                   double* /*loss*/) const override {
-    std::array<double, static_cast<std::size_t>(tile_size) * D> sums{};
+    std::vector<double> sums(static_cast<std::size_t>(tile.end - tile.begin) * D, 0.0);
     pair_loops<D>().nominal_momentum(tile, records, sums.data());
     const double* sum = sums.data();
     for (auto i = static_cast<std::size_t>(tile.begin); i < static_cast<std::size_t>(tile.end); ++i)
