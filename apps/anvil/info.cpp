@@ -22,6 +22,7 @@ void print_run(const Provenance& run) {
                                 {"status", run.status},     {"version", run.version},  {"commit", run.commit},
                                 {"compiler", run.compiler}, {"started", run.started},  {"ended", run.ended}};
   if (!run.reason.empty()) rows.insert(rows.begin() + 4, {"reason", run.reason});
+  rows.push_back({"instruction set", run.instruction_set});
   rows.push_back({"threads", std::to_string(run.threads)});
   rows.push_back({"particles", std::to_string(run.particles)});
   rows.push_back({"steps", std::to_string(run.steps)});

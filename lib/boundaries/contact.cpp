@@ -287,6 +287,13 @@ double Contact<D>::loss(const double* start_velocity, int stride) const {
   return -work;
 }
 
+template <int D>
+double Contact<D>::impulse() const {
+  double sum = 0.0;
+  for (const Meeting& meeting : meetings_) sum += meeting.impulse;
+  return sum;
+}
+
 template class Contact<1>;
 template class Contact<2>;
 template class Contact<3>;

@@ -35,6 +35,8 @@ class Contact {
   /// What the contacts of the last correction took from the motion, J, given the velocities of before all impulses of
   /// the step (`stride` doubles apart) and the present ones, which are those after all of them.
   [[nodiscard]] double loss(const double* start_velocity, int stride) const;
+  /// Of all pushes of the last correction, however directed, N s.
+  [[nodiscard]] double impulse() const;
   /// Of a particle behind the facet it meets, at the present positions, m.
   [[nodiscard]] double deepest_penetration();
 

@@ -30,6 +30,8 @@ inline constexpr FieldKey pair_acceleration{"pair_acceleration", "m/s2", "of the
 inline constexpr FieldKey star_gradient{"star_gradient", "1/s",
                                         "velocity gradient of the star states beyond the means"};
 inline constexpr FieldKey gradient_correction{"gradient_correction", "", "of the last step's gradients, symmetric"};
+inline constexpr FieldKey hourglass_acceleration{"hourglass_acceleration", "m/s2",
+                                                 "of the last step; the energy account"};
 inline constexpr FieldKey listed_position{"listed_position", "m", "position when the neighbour list was made"};
 inline constexpr FieldKey listed_smoothing_length{"listed_smoothing_length", "m", "h when the neighbour list was made"};
 

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "anvil/core/error.hpp"
+#include "anvil/core/simd_level.hpp"
 #include "anvil/output/atomic_file.hpp"
 #include "anvil/version.hpp"
 
@@ -32,6 +33,7 @@ void for_each_entry(ProvenanceType& provenance, Visitor&& visit) {
   visit("version", provenance.version);
   visit("commit", provenance.commit);
   visit("compiler", provenance.compiler);
+  visit("instruction_set", provenance.instruction_set);
   visit("threads", provenance.threads);
   visit("started", provenance.started);
   visit("ended", provenance.ended);
@@ -52,6 +54,7 @@ Provenance make_provenance() {
   provenance.version = version;
   provenance.commit = commit;
   provenance.compiler = fmt::format("{}, {}", compiler, build_type);
+  provenance.instruction_set = simd_level();
   provenance.threads = omp_get_max_threads();
   return provenance;
 }

@@ -16,6 +16,7 @@ struct Provenance {
   std::string version;     // of the program
   std::string commit;
   std::string compiler;
+  std::string instruction_set;  // of the loops over pairs and points: other sets round differently
   int threads = 1;
   std::string status;   // running, finished, stopped, failed
   std::string reason;   // why it failed or stopped, else ""
@@ -30,7 +31,7 @@ struct Provenance {
   double particle_steps_per_second = 0.0;
 };
 
-/// Provenance with what the program knows of itself filled in: version, commit, compiler, threads.
+/// Provenance with what the program knows of itself filled in: version, commit, compiler, instruction set, threads.
 Provenance make_provenance();
 
 /// Name-based UUID (RFC 4122, version 5) of a resolved scene: equal scenes have equal identifiers.

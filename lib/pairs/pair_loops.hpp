@@ -55,12 +55,8 @@ struct PairLoops {
   void (*pairwise_smoothing)(const PairTile<D>&, const PairRecords<D>&, double* change);
 };
 
-/// The loops for the best instruction set this machine has, chosen at the first call. The environment variable
-/// ANVIL_SIMD (baseline, avx2, avx512) asks for a lesser one; throws InputError when it names one that cannot run here.
+/// The loops of the instruction set that simd_level() names.
 template <int D>
 const PairLoops<D>& pair_loops();
-
-/// Name of the instruction set in use: part of the provenance, since other sets round differently.
-const char* simd_level();
 
 }  // namespace anvil

@@ -40,14 +40,27 @@ void turn_tensor(const Mat<D>& turn, const double* in, double* out) {
   result = turned;
 }
 
-/// out = turn in turn^T for a packed symmetric tensor, XX | XX YY XY | XX YY ZZ XY YZ XZ.
+/// Row and column of the components of a packed symmetric tensor, XX | XX YY XY | XX YY ZZ XY YZ XZ.
+template <int D>
+inline constexpr int symmetric_row[] = {0, 1, D == 2 ? 0 : 2, 0, 1, 0};
+template <int D>
+inline constexpr int symmetric_column[] = {0, 1, D == 2 ? 1 : 2, 1, 2, 2};
+
+template <int D>
+Mat<D> unpack_symmetric(const double* in) {
+  Mat<D> tensor;
+  for (int c = 0; c < symmetric_components<D>; ++c) {
+    const int a = symmetric_row<D>[c], b = symmetric_column<D>[c];
+    tensor(a, b) = tensor(b, a) = in[c];
+  }
+  return tensor;
+}
+
+/// out = turn in turn^T for a packed symmetric tensor.
 template <int D>
 void turn_symmetric(const Mat<D>& turn, const double* in, double* out) {
-  constexpr int row[] = {0, 1, D == 2 ? 0 : 2, 0, 1, 0}, column[] = {0, 1, D == 2 ? 1 : 2, 1, 2, 2};
-  Mat<D> tensor;
-  for (int c = 0; c < symmetric_components<D>; ++c) tensor(row[c], column[c]) = tensor(column[c], row[c]) = in[c];
-  const Mat<D> turned = turn * tensor * turn.transpose();
-  for (int c = 0; c < symmetric_components<D>; ++c) out[c] = turned(row[c], column[c]);
+  const Mat<D> turned = turn * unpack_symmetric<D>(in) * turn.transpose();
+  for (int c = 0; c < symmetric_components<D>; ++c) out[c] = turned(symmetric_row<D>[c], symmetric_column<D>[c]);
 }
 
 }  // namespace anvil

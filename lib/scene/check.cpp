@@ -17,6 +17,7 @@
 #include "anvil/scene/placement.hpp"
 #include "anvil/scene/problems.hpp"
 #include "anvil/scene/shape.hpp"
+#include "anvil/scene/stabiliser_checks.hpp"
 
 namespace anvil {
 namespace {
@@ -370,6 +371,7 @@ std::vector<Contradiction> find_contradictions(const Scene& scene) {
   check_method(scene, found);
   check_total_lagrangian(scene, found);
   check_mirrored_lattices(scene, found);
+  check_stabilisers(scene, found);
   check_local_steps(scene, found);
   check_hllc(scene, found);
   check_neighbours(scene, found);

@@ -85,8 +85,9 @@ Section<Discretisation> discretisation_section() {
                 .kind = ValueKind::choice,
                 .help = "pair force: sum takes V_i V_j (sigma_i + sigma_j), density_squared takes m_i m_j "
                         "(sigma_i/rho_i^2 + sigma_j/rho_j^2); both conserve momentum. difference takes V_i V_j "
-                        "(sigma_j - sigma_i)",
-                .choices = {"sum", "density_squared", "difference"},
+                        "(sigma_j - sigma_i). adjoint, of kernel_gradient_correction, takes V_i V_j (sigma_i B_i + "
+                        "sigma_j B_j) with its corrections B: the only form there that conserves energy too",
+                .choices = {"sum", "density_squared", "difference", "adjoint"},
                 .optional = true,
                 .derived = "difference for cspm, else sum"},
                &Discretisation::momentum_form},
@@ -185,9 +186,15 @@ Section<Stabiliser> stabiliser_section() {
             .kind = ValueKind::choice,
             .standard = "none",
             .help = "against motions that gradients do not see, in total_lagrangian: edge_stress_points puts the "
-                    "deviatoric stress on the edges of the lattice",
-            .choices = {"none", "edge_stress_points"}},
+                    "deviatoric stress on the edges of the lattice; hourglass_control pulls pairs to the distance that "
+                    "their deformation gradients predict (Ganzenmueller 2015)",
+            .choices = {"none", "edge_stress_points", "hourglass_control"}},
            &Stabiliser::method},
+          {{.name = "hourglass_coefficient",
+            .standard = 0.1,
+            .range = Range::positive,
+            .help = "of hourglass_control: its stiffness over Young's modulus"},
+           &Stabiliser::hourglass_coefficient},
           {{.name = "conservative_smoothing",
             .standard = 0.0,
             .range = Range::half_fraction,
@@ -207,6 +214,12 @@ Section<Stabiliser> stabiliser_section() {
             .help = "delta of the diffusion of density between neighbours (Molteni and Colagrossi 2009), about 0.1; 0 "
                     "switches it off"},
            &Stabiliser::density_diffusion},
+          {{.name = "non_affine_damping",
+            .standard = 0.0,
+            .range = Range::not_negative,
+            .help = "linear viscosity on the part of a pair's velocity that the velocity gradients of its ends do not "
+                    "explain, approaching or not, about 0.2; 0 switches it off"},
+           &Stabiliser::non_affine_damping},
           {{.name = "erosion_stretch",
             .standard = 0.0,
             .range = Range::fraction,

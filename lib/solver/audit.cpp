@@ -125,6 +125,7 @@ std::vector<AuditValue> Solver<D>::audit() const {
   }
   if (recipe_.contact) {
     row.push_back({"contact_loss", energy, ledger_.contact_loss});
+    row.push_back({"contact_impulse", impulse, ledger_.contact_impulse});
     row.push_back({"contact_penetration", "m", recipe_.contact->deepest_penetration()});
   }
   row.push_back({"total_energy", energy, total});

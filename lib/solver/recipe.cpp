@@ -8,11 +8,14 @@
 #include "anvil/materials/material_tables.hpp"
 #include "anvil/scene/placement.hpp"
 #include "anvil/scene/shape.hpp"
+#include "anvil/terms/adjoint_momentum.hpp"
 #include "anvil/terms/conservative_smoothing.hpp"
 #include "anvil/terms/hllc.hpp"
+#include "anvil/terms/hourglass_control.hpp"
 #include "anvil/terms/laminar_viscosity.hpp"
 #include "anvil/terms/momentum.hpp"
 #include "anvil/terms/nominal_momentum.hpp"
+#include "anvil/terms/non_affine_damping.hpp"
 #include "anvil/terms/viscosity.hpp"
 
 namespace anvil {
@@ -70,14 +73,18 @@ double density_under_weight(const Scene& scene, const BodyDescription& body, con
   return light;
 }
 
-/// Axial stress over strain of the unloaded material in a line, Pa: K + 4 G / 3, or Young's modulus of a bar.
-double axial_modulus(const Scene& scene, const MaterialDescription& material) {
-  const double speed = elastic_wave_speed(material), stiffness = material.density * speed * speed;
+/// Pa, of the unloaded material; zero for a fluid.
+double youngs_modulus(const MaterialDescription& material) {
+  const double bulk = material.density * std::pow(bulk_sound_speed(material), 2);
   const double shear =
       std::visit([](const auto& law) { return law.shear_modulus(); }, make_strength(material.strength));
-  if (scene.domain.strain_state != "uniaxial_stress" || shear == 0.0) return stiffness;
-  const double bulk = stiffness - 4.0 / 3.0 * shear;
-  return 9.0 * bulk * shear / (3.0 * bulk + shear);
+  return shear == 0.0 ? 0.0 : 9.0 * bulk * shear / (3.0 * bulk + shear);
+}
+
+/// Axial stress over strain of the unloaded material in a line, Pa: K + 4 G / 3, or Young's modulus of a bar.
+double axial_modulus(const Scene& scene, const MaterialDescription& material) {
+  const double speed = elastic_wave_speed(material), modulus = youngs_modulus(material);
+  return scene.domain.strain_state == "uniaxial_stress" && modulus > 0.0 ? modulus : material.density * speed * speed;
 }
 
 MomentumForm momentum_form_of(const Scene& scene) {
@@ -115,7 +122,10 @@ void add_forces(const Scene& scene, FieldStore& fields, Recipe<D>& recipe) {
     recipe.forces.push_back(std::make_unique<Hllc<D>>(fields, std::move(strengths), choices));
     return;
   }
-  recipe.forces.push_back(std::make_unique<Momentum<D>>(fields, form));
+  if (scene.discretisation.momentum_form == "adjoint")
+    recipe.forces.push_back(std::make_unique<AdjointMomentum<D>>(fields));
+  else
+    recipe.forces.push_back(std::make_unique<Momentum<D>>(fields, form));
   if (scene.shock.method == "artificial_viscosity") {
     const ViscosityCoefficients coefficients{.linear = scene.shock.linear_coefficient,
                                              .quadratic = scene.shock.quadratic_coefficient,
@@ -125,6 +135,22 @@ void add_forces(const Scene& scene, FieldStore& fields, Recipe<D>& recipe) {
   const auto is_viscous = [](const MaterialDescription& material) { return material.viscosity > 0.0; };
   if (std::any_of(scene.materials.begin(), scene.materials.end(), is_viscous))
     recipe.forces.push_back(std::make_unique<LaminarViscosity<D>>());
+}
+
+/// Against the motions of pairs that gradients do not see.
+template <int D>
+void add_pair_stabilisers(const Scene& scene, const std::vector<ParticleRange>& ranges, FieldStore& fields,
+                          Recipe<D>& recipe) {
+  if (scene.stabiliser.method == "hourglass_control") {
+    std::vector<typename HourglassControl<D>::Stiffness> bodies;
+    for (std::size_t b = 0; b < ranges.size(); ++b)
+      bodies.push_back(
+          {ranges[b], scene.stabiliser.hourglass_coefficient * youngs_modulus(material_of(scene, scene.bodies[b]))});
+    recipe.forces.push_back(
+        std::make_unique<HourglassControl<D>>(fields, *recipe.deformation, recipe.kernel, bodies, recipe.images));
+  }
+  if (scene.stabiliser.non_affine_damping > 0.0)
+    recipe.forces.push_back(std::make_unique<NonAffineDamping<D>>(fields, scene.stabiliser.non_affine_damping));
 }
 
 template <int D>
@@ -355,6 +381,7 @@ Recipe<D> make_recipe(const Scene& scene, const std::vector<ParticleRange>& rang
   }
   add_forces(scene, fields, recipe);
   if (edges) recipe.forces.push_back(std::move(edges));
+  add_pair_stabilisers(scene, ranges, fields, recipe);
   add_filters(scene, recipe);
   add_wall_penalties(scene, ranges, fields, recipe);
   if (recipe.deformation && scene.bodies.size() > 1)

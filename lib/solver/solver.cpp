@@ -277,7 +277,7 @@ void Solver<D>::fill_image_places() {
 /// What forces read of them besides.
 template <int D>
 void Solver<D>::fill_image_states() {
-  if (recipe_.deformation)
+  if (recipe_.force_needs.nominal)
     recipe_.images.fill_nominal(records_, records_.first_image());
   else
     recipe_.images.fill_traction(records_, records_.first_image());

@@ -56,6 +56,7 @@ struct Ledger {
   double wall_loss = 0.0;                     // J
   double contact_loss = 0.0;                  // J
   double erosion_loss = 0.0;                  // J
+  double contact_impulse = 0.0;               // N s, of all pushes between bodies
   Vec<D> smoothing_impulse = Vec<D>::Zero();  // N s
   Vec<D> wall_impulse = Vec<D>::Zero();       // N s
   Vec<D> pressure_impulse = Vec<D>::Zero();   // N s

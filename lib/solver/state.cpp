@@ -11,9 +11,10 @@ namespace {
 
 template <int D>
 std::vector<double> ledger_numbers(const Ledger<D>& ledger) {
-  std::vector<double> numbers = {ledger.plastic_work, ledger.viscous_loss,  ledger.smoothing_loss, ledger.wall_loss,
-                                 ledger.start_energy, ledger.pressure_work, ledger.uncorrected,    ledger.gravity_work,
-                                 ledger.wall_work,    ledger.penetrations,  ledger.contact_loss,   ledger.erosion_loss};
+  std::vector<double> numbers = {
+      ledger.plastic_work,  ledger.viscous_loss, ledger.smoothing_loss, ledger.wall_loss, ledger.start_energy,
+      ledger.pressure_work, ledger.uncorrected,  ledger.gravity_work,   ledger.wall_work, ledger.penetrations,
+      ledger.contact_loss,  ledger.erosion_loss, ledger.contact_impulse};
   for (const Vec<D>* vector : {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse,
                                &ledger.gravity_impulse, &ledger.start_momentum})
     numbers.insert(numbers.end(), vector->data(), vector->data() + D);
@@ -35,7 +36,8 @@ Ledger<D> ledger_from(const std::vector<double>& numbers) {
   ledger.penetrations = numbers[9];
   ledger.contact_loss = numbers[10];
   ledger.erosion_loss = numbers[11];
-  const double* next = numbers.data() + 12;
+  ledger.contact_impulse = numbers[12];
+  const double* next = numbers.data() + 13;
   for (Vec<D>* vector : {&ledger.smoothing_impulse, &ledger.wall_impulse, &ledger.pressure_impulse,
                          &ledger.gravity_impulse, &ledger.start_momentum}) {
     for (int a = 0; a < D; ++a) (*vector)[a] = *next++;
@@ -88,7 +90,7 @@ void Solver<D>::restore(const State& state) {
       (void)numbers_of<double>(state, "edge/" + std::string(field.key->name), field.values.size());
   const auto& clock = numbers_of<double>(state, clock_name, 4);
   const auto& counts = numbers_of<std::int64_t>(state, counts_name, 3);
-  const auto& ledger = numbers_of<double>(state, ledger_name, 12 + 5 * D);
+  const auto& ledger = numbers_of<double>(state, ledger_name, 13 + 5 * D);
   if (local_steps_) (void)numbers_of<double>(state, local_steps_name, 2 * tiles_.size());
   const auto load = [&](const std::string& kind, FieldStore& store) {
     // The views of the terms point into the fields: their memory stays where it is.

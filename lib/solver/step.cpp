@@ -135,6 +135,7 @@ void Solver<D>::move(double time_step) {
     for_each_tile(keep_in_bounds);
     // Pairs frozen at the start leave the velocities of before the kick in the records until here.
     ledger_.contact_loss += recipe_.contact->loss(records_.motion[0], PairRecords<D>::small);
+    ledger_.contact_impulse += recipe_.contact->impulse();
   }
   for_each_tile([&](const Tile& tile, Scratch& scratch, TileReport<D>& report) {
     if (!recipe_.contact) keep_in_bounds(tile, scratch, report);

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "anvil/core/simd_level.hpp"
 #include "anvil/kernels/kernel.hpp"
 #include "anvil/pairs/neighbour_list.hpp"
 #include "anvil/pairs/pair_loops.hpp"

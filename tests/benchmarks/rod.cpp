@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "anvil/core/threads.hpp"
-#include "anvil/pairs/pair_loops.hpp"
+#include "anvil/core/simd_level.hpp"
 #include "anvil/scene/reader.hpp"
 #include "anvil/solver/simulation.hpp"
 

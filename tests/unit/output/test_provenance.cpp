@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "anvil/core/error.hpp"
+#include "anvil/core/simd_level.hpp"
 #include "unit/output/temporary_folder.hpp"
 
 namespace anvil {
@@ -18,6 +19,7 @@ TEST(Provenance, ReadsBackWhatWasWritten) {
   written.scene_name = "rod";
   written.scene_text = "title = \"x\"\n[domain]\n";
   written.scene_id = identify_scene(written.scene_text);
+  written.instruction_set = "baseline";
   written.status = "failed";
   written.reason = "density below zero";
   written.started = utc_now();
@@ -35,6 +37,7 @@ TEST(Provenance, ReadsBackWhatWasWritten) {
   EXPECT_EQ(read.version, written.version);
   EXPECT_EQ(read.commit, written.commit);
   EXPECT_EQ(read.compiler, written.compiler);
+  EXPECT_EQ(read.instruction_set, written.instruction_set);
   EXPECT_EQ(read.threads, written.threads);
   EXPECT_EQ(read.status, written.status);
   EXPECT_EQ(read.reason, written.reason);
@@ -51,6 +54,7 @@ TEST(Provenance, KnowsItsProgram) {
   EXPECT_TRUE(std::regex_match(provenance.version, std::regex(R"(\d+\.\d+\.\d+)"))) << provenance.version;
   EXPECT_FALSE(provenance.commit.empty());
   EXPECT_FALSE(provenance.compiler.empty());
+  EXPECT_EQ(provenance.instruction_set, simd_level());
   EXPECT_GE(provenance.threads, 1);
 }
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "anvil/core/error.hpp"
-#include "anvil/pairs/pair_loops.hpp"
+#include "anvil/core/simd_level.hpp"
 
 namespace anvil {
 namespace {
