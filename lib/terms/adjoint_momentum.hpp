@@ -52,7 +52,8 @@ class AdjointMomentum final : public ForceTerm<D> {
 
   void accumulate(const PairTile<D>& tile, const PairRecords<D>& records, double* acceleration,
                   double* /*loss*/) const override {
-    std::vector<double> sums(static_cast<std::size_t>(tile.end - tile.begin) * D, 0.0);
+    static thread_local std::vector<double> sums;  // a step allocates nothing
+    sums.assign(static_cast<std::size_t>(tile.end - tile.begin) * D, 0.0);
     pair_loops<D>().nominal_momentum(tile, records, sums.data());
     const double* sum = sums.data();
     for (auto i = static_cast<std::size_t>(tile.begin); i < static_cast<std::size_t>(tile.end); ++i)

@@ -11,6 +11,8 @@ const std::vector<std::vector<std::string>> variants = {
     {"stabiliser.smoothing_form=scaled", "shock.method=artificial_viscosity"},
     {"stabiliser.conservative_smoothing=0", "shock.method=artificial_viscosity",
      "discretisation.momentum_form=density_squared"},
+    {"discretisation.method=kernel_gradient_correction", "discretisation.momentum_form=adjoint",
+     "stabiliser.conservative_smoothing=0", "stabiliser.non_affine_damping=0.2"},
     {"stabiliser.smoothing_form=plain", "material.copper.strength.isotropic_fraction=0.5"},
 };
 
