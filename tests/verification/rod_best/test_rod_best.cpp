@@ -134,9 +134,9 @@ TEST(RodBest, ElasticBarReboundsWithItsEnergy) {
 
 // A stiffness that is weak enough, which edges do not ask for; see docs/rod.md for what a tenth of the modulus does.
 TEST(RodBest, HourglassControlHoldsTheLatticeAndKeepsTheEnergy) {
-  const auto rod = simulation_of("rod_square_quarter",
-                                 {"discretisation.spacing=0.8e-3", "stabiliser.method=hourglass_control",
-                                  "stabiliser.hourglass_coefficient=0.01", "time.local_steps=false"});
+  const auto rod =
+      simulation_of("rod_square_quarter", {"discretisation.spacing=0.8e-3", "stabiliser.method=hourglass_control",
+                                           "stabiliser.hourglass_coefficient=0.01", "time.local_steps=false"});
   run_to(*rod, end);
   const Frame frame = rod->frame();
   EXPECT_NEAR(present_of(frame, {0.0, 0.0, 32e-3})[2], 21.28e-3, 0.008 * 21.28e-3);
@@ -177,7 +177,8 @@ TEST(RodBest, LocalStepsLeaveTheAnswer) {
 }
 
 TEST(RodBest, SameBitsForAnyNumberOfThreadsAndAfterARestart) {
-  for (std::string scene : {"rod_square_quarter", "rod_square_eighth", "rod_on_rod", "local steps", "hourglass control"}) {
+  for (std::string scene :
+       {"rod_square_quarter", "rod_square_eighth", "rod_on_rod", "local steps", "hourglass control"}) {
     std::vector<std::string> coarse = {"discretisation.spacing=1.6e-3"};
     if (scene == "local steps") {
       coarse = {"discretisation.spacing=0.8e-3", "time.local_steps=true"};

@@ -91,10 +91,10 @@ TEST(RodSquare, WallImpulseAloneChangesMomentumInThePairwiseForm) {
 // What the stress takes from the motion strains the particles, so both balances close without any smoothing. With `sum`
 // in place of `adjoint` a quarter of the energy comes from nowhere (docs/rod.md).
 TEST(RodSquare, AdjointForcesOfCorrectedGradientsCloseTheEnergy) {
-  const auto rod = simulation_of(
-      "rod_square", {"discretisation.method=kernel_gradient_correction", "discretisation.momentum_form=adjoint",
-                     "discretisation.smoothing_ratio=1.2", "stabiliser.conservative_smoothing=0",
-                     "stabiliser.non_affine_damping=0.2"});
+  const auto rod =
+      simulation_of("rod_square", {"discretisation.method=kernel_gradient_correction",
+                                   "discretisation.momentum_form=adjoint", "discretisation.smoothing_ratio=1.2",
+                                   "stabiliser.conservative_smoothing=0", "stabiliser.non_affine_damping=0.2"});
   run_to(*rod, end);
   EXPECT_LT(std::abs(audited(*rod, "energy_error")), 0.005 * start_energy);
   EXPECT_LT(audited(*rod, "momentum_error"), 1e-10 * start_momentum);
