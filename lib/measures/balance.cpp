@@ -20,7 +20,8 @@ double largest(const std::vector<double>& values) {
   return found;
 }
 
-/// Largest component of the momentum in the run, N s.
+/// Largest component of the momentum in the run, N s, or what it would be if all of the mass moved one way with the
+/// largest kinetic energy: bodies that meet head on have next to no momentum together.
 double momentum_scale(const History& history) {
   double scale = 0.0;
   bool known = false;
@@ -30,7 +31,9 @@ double momentum_scale(const History& history) {
       known = true;
     }
   if (!known) throw InputError("the history has no momentum: it cannot be judged");
-  return scale;
+  const HistoryColumn *mass = history.find("mass"), *kinetic = history.find("kinetic_energy");
+  if (mass == nullptr || kinetic == nullptr) return scale;
+  return std::max(scale, std::sqrt(2.0 * largest(mass->values) * largest(kinetic->values)));
 }
 
 /// From the first to the last row; 0 when the scene has nothing that this column counts.

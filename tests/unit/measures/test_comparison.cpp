@@ -51,8 +51,8 @@ TEST(Measures, ReadTheHistory) {
 }
 
 TEST(Measures, BalanceMomentumAndEnergy) {
-  EXPECT_DOUBLE_EQ(measured("momentum_balance"), 0.5 / 4.0);
-  EXPECT_DOUBLE_EQ(measured("unexplained_momentum"), 0.2 / 4.0);
+  EXPECT_DOUBLE_EQ(measured("momentum_balance"), 0.5 / 20.0);  // of 2 kg with 100 J
+  EXPECT_DOUBLE_EQ(measured("unexplained_momentum"), 0.2 / 20.0);
   EXPECT_DOUBLE_EQ(measured("energy_balance"), -0.1);
   EXPECT_DOUBLE_EQ(measured("smoothing_share"), 0.1);
   EXPECT_DOUBLE_EQ(measured("minimum_pair_distance"), 0.25);
@@ -60,6 +60,18 @@ TEST(Measures, BalanceMomentumAndEnergy) {
   ASSERT_EQ(parts.size(), 4U);
   EXPECT_EQ(parts[1].name, "plastic_work");
   EXPECT_EQ(parts[1].end, 60.0);
+}
+
+/// Two bodies of 1 kg that meet at 3 m/s each: the error is not that of a sum that is next to nothing.
+TEST(Measures, RelateTheMomentumOfBodiesThatMeetHeadOnToWhatTheyCarry) {
+  Result result = make_result();
+  result.history = History({{"mass", "kg", {2.0, 2.0}},
+                            {"momentum_z", "N s", {0.0, 1e-9}},
+                            {"wall_impulse_z", "N s", {0.0, 0.0}},
+                            {"kinetic_energy", "J", {9.0, 1.0}},
+                            {"momentum_error", "N s", {0.0, 1e-9}}});
+  EXPECT_DOUBLE_EQ(find_measure("momentum_balance")->of(result), 1e-9 / 6.0);
+  EXPECT_DOUBLE_EQ(find_measure("unexplained_momentum")->of(result), 1e-9 / 6.0);
 }
 
 /// A body of 2 kg that falls 5 m in a second and is caught by a wall, which also lifts it: nothing is unaccounted for.
