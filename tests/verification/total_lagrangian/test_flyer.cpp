@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elastic flyers on elastic targets: contact between two deformable total
-// Lagrangian bodies, against plane waves.
+// Elastic flyers on elastic targets: contact between two deformable total Lagrangian bodies, against plane waves.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,13 +10,11 @@ namespace anvil {
 namespace {
 
 // Copper: c^2 = (K + 4 G / 3) / rho.
-constexpr double density = 8930.0, bulk_modulus = 130e9,
-                 shear_modulus = 43.333333333333333e9;  // kg/m3, Pa
-constexpr double speed = 20.0;                          // m/s, of the flyer
+constexpr double density = 8930.0, bulk_modulus = 130e9, shear_modulus = 43.333333333333333e9;  // kg/m3, Pa
+constexpr double speed = 20.0;                                                                  // m/s, of the flyer
 const double wave_speed = std::sqrt((bulk_modulus + 4.0 / 3.0 * shear_modulus) / density);
 
-/// A scene of two boxes, given by their corners, of which the flyer comes down
-/// the last axis; `more` is put behind it.
+/// A scene of two boxes, given by their corners, of which the flyer comes down the last axis; `more` is put behind it.
 Scene impact(int dimension, double spacing, const std::string& target, const std::string& flyer,
              const std::string& more = "") {
   const std::string velocity = dimension == 3 ? "[0, 0, -20]" : (dimension == 2 ? "[0, -20]" : "[-20]");
@@ -78,24 +75,21 @@ void expect_balances(const Simulation& simulation, double start_momentum, double
   EXPECT_LT(std::abs(audited(simulation, "energy_error")), 0.005 * start_energy);
 }
 
-/// A strip of 4 mm against one of 4 mm between planes of symmetry: waves are
-/// plane to the end.
+/// A strip of 4 mm against one of 4 mm between planes of symmetry: waves are plane to the end.
 std::unique_ptr<Simulation> strip(int dimension, double spacing = 0.1e-3) {
   const std::string fields = "fields = [\"mass\"]\n";
   if (dimension == 1) return make_simulation(impact(1, spacing, "min = -4e-3, max = 0", "min = 0, max = 4e-3", fields));
   std::string planes = fields;
   for (const auto& [point, normal] : {std::pair("0", "1"), std::pair("0.4e-3", "-1")})
     planes += fmt::format(
-        "[[boundary]]\nname = \"x{}\"\ntype = \"symmetry_plane\"\npoint = [{}, "
-        "0{}]\nnormal = [{}, 0{}]\n",
+        "[[boundary]]\nname = \"x{}\"\ntype = \"symmetry_plane\"\npoint = [{}, 0{}]\nnormal = [{}, 0{}]\n",
         normal[0] == '-' ? "_high" : "_low", point, dimension == 3 ? ", 0" : "", normal, dimension == 3 ? ", 0" : "");
   if (dimension == 2)
     return make_simulation(
         impact(2, spacing, "min = [0, -4e-3], max = [0.4e-3, 0]", "min = [0, 0], max = [0.4e-3, 4e-3]", planes));
   for (const auto& [point, normal] : {std::pair("0", "1"), std::pair("0.4e-3", "-1")})
     planes += fmt::format(
-        "[[boundary]]\nname = \"y{}\"\ntype = \"symmetry_plane\"\npoint = [0, "
-        "{}, 0]\nnormal = [0, {}, 0]\n",
+        "[[boundary]]\nname = \"y{}\"\ntype = \"symmetry_plane\"\npoint = [0, {}, 0]\nnormal = [0, {}, 0]\n",
         normal[0] == '-' ? "_high" : "_low", point, normal);
   return make_simulation(impact(3, spacing, "min = [0, 0, -4e-3], max = [0.4e-3, 0.4e-3, 0]",
                                 "min = [0, 0, 0], max = [0.4e-3, 0.4e-3, 4e-3]", planes));
@@ -104,9 +98,8 @@ std::unique_ptr<Simulation> strip(int dimension, double spacing = 0.1e-3) {
 class PlaneImpactIn : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Dimension, PlaneImpactIn, testing::Values(1, 2, 3));
 
-// Of equal bodies: the interface moves at v/2 under rho c v/2 until the waves
-// are back from the far faces, after 2 L/c; then they part, the flyer at rest
-// and the target at v.
+// Of equal bodies: the interface moves at v/2 under rho c v/2 until the waves are back from the far faces, after 2 L/c;
+// then they part, the flyer at rest and the target at v.
 TEST_P(PlaneImpactIn, OfEqualBodiesIsThatOfPlaneWaves) {
   const int dimension = GetParam();
   const auto axis = static_cast<std::size_t>(dimension - 1);
@@ -116,23 +109,23 @@ TEST_P(PlaneImpactIn, OfEqualBodiesIsThatOfPlaneWaves) {
   EXPECT_NEAR(audited(*simulation, "kinetic_energy"), start_energy, 1e-12 * start_energy);
 
   run_to(*simulation, 0.5 * crossing);
-  const double early = motion_of(*simulation, target, axis).momentum,
-               early_push = audited(*simulation, "contact_impulse");
+  const double early = motion_of(*simulation, target, axis).momentum;
+  const double early_push = audited(*simulation, "contact_impulse");
   run_to(*simulation, 1.5 * crossing);
-  const double late = motion_of(*simulation, target, axis).momentum,
-               late_push = audited(*simulation, "contact_impulse");
+  const double late = motion_of(*simulation, target, axis).momentum;
+  const double late_push = audited(*simulation, "contact_impulse");
   const double pressure = density * wave_speed * 0.5 * speed;
-  // Compressed by v/(2 c) = 0.2 %, the linear law between pressure and 1/J is
-  // stiffer by about as much.
+  // Compressed by v/(2 c) = 0.2 %, the linear law between pressure and 1/J is stiffer by about as much.
   EXPECT_NEAR((early - late) / (area * crossing), pressure, 0.005 * pressure);
   EXPECT_NEAR(late_push - early_push, early - late, 1e-9 * start_momentum);
 
   run_to(*simulation, 4.0 * crossing);
-  const double spread = 0.025 * speed;  // fronts of some spacings out of 40 open
-                                        // the contact too early: see below
+  const double spread = 0.025 * speed;  // fronts of some spacings out of 40 open the contact too early: see below
   EXPECT_NEAR(motion_of(*simulation, target, axis).velocity(), -speed, spread);
   EXPECT_NEAR(motion_of(*simulation, flyer, axis).velocity(), 0.0, spread);
-  EXPECT_NEAR(audited(*simulation, "contact_impulse"), start_momentum, 0.01 * start_momentum);
+  // Nothing else has moved the target.
+  EXPECT_NEAR(audited(*simulation, "contact_impulse"), -motion_of(*simulation, target, axis).momentum,
+              1e-9 * start_momentum);
   EXPECT_GE(audited(*simulation, "contact_loss"), 0.0);
   expect_balances(*simulation, start_momentum, start_energy);
 }
@@ -149,9 +142,8 @@ TEST(PlaneImpact, HandsOverMoreOfTheVelocityTheFinerItIs) {
   EXPECT_LT(missing[1], 0.75 * missing[0]);
 }
 
-// Particles of the flyer meet the insides of facets, its edges release and its
-// corners press: nothing is plane but the middle, and there only until the
-// releases arrive.
+// Particles of the flyer meet the insides of facets, its edges release and its corners press: nothing is plane but the
+// middle, and there only until the releases arrive.
 void expect_free_flyer_to_keep_its_balances(Simulation& simulation, int dimension, double start_momentum) {
   const auto axis = static_cast<std::size_t>(dimension - 1);
   const double start_energy = 0.5 * start_momentum * speed;
