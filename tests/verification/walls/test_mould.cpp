@@ -22,8 +22,8 @@ void expect_filling(double spacing) {
   EXPECT_NEAR(brought - waited, density * speed * width * end, row);
 }
 
-// Of the forms on offer the only one that is adjoint to the rate of density, as a spray needs it (docs/walls.md; the
-// property itself: MomentumIn.SumFormStoresInDropsWhatItTakesFromTheirMotion).
+// Of the forms for plain gradients the only one that is adjoint to the rate of density, as a spray needs it
+// (docs/walls.md; the property itself: MomentumIn.SumFormStoresInDropsWhatItTakesFromTheirMotion).
 TEST(Mould, TakesThePairForceThatStoresWhatItTakes) {
   const Scene scene = read_scene(std::string(ANVIL_SOURCE_DIR) + "/data/scenes/mould_filling.toml", {});
   EXPECT_EQ(scene.discretisation.momentum_form, "sum");
