@@ -4,8 +4,8 @@
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
-# Development builds give the same numbers as the release, so they optimise alike; there, line numbers are what a
-# profiler and a backtrace can use, and full debug information costs a fifth of the time to compile and link.
+# Development builds give the same numbers as the release, so they optimise alike; line numbers are what a
+# profiler and a backtrace can use of them, and full debug information takes longer to compile and link.
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O3 -g1 -DNDEBUG")
 
 add_library(anvil_compile_options INTERFACE)

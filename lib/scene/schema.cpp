@@ -191,7 +191,7 @@ Section<Stabiliser> stabiliser_section() {
             .choices = {"none", "edge_stress_points", "hourglass_control"}},
            &Stabiliser::method},
           {{.name = "hourglass_coefficient",
-            .standard = 0.1,
+            .standard = 0.01,
             .range = Range::positive,
             .help = "of hourglass_control: its stiffness over Young's modulus"},
            &Stabiliser::hourglass_coefficient},
