@@ -95,7 +95,7 @@ struct Stabiliser {
   double density_diffusion;      // delta, 0 switches it off
   double hourglass_coefficient;  // alpha of the method hourglass_control
   double non_affine_damping;     // of pair velocities beside the velocity gradient, 0 switches it off
-  double erosion_stretch;    // of total Lagrangian stress points, 0 switches it off
+  double erosion_stretch;        // of total Lagrangian stress points, 0 switches it off
   bool operator==(const Stabiliser&) const = default;
 };
 

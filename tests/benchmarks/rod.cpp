@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "anvil/core/threads.hpp"
 #include "anvil/core/simd_level.hpp"
+#include "anvil/core/threads.hpp"
 #include "anvil/scene/reader.hpp"
 #include "anvil/solver/simulation.hpp"
 
