@@ -34,7 +34,7 @@ target_compile_definitions(anvil_compile_options INTERFACE EIGEN_UNALIGNED_VECTO
 
 if(ANVIL_SANITIZE)
   target_compile_options(anvil_compile_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                                                        -fno-omit-frame-pointer -g1)
+                                                        -fno-omit-frame-pointer -O1 -g1)
   target_compile_definitions(anvil_compile_options INTERFACE _GLIBCXX_ASSERTIONS)
   target_link_options(anvil_compile_options INTERFACE -fsanitize=address,undefined)
 endif()
